@@ -1,0 +1,152 @@
+#pragma once
+// The state of one parse: finished nodes wait on stacks until the rule that contains them takes them. Everything
+// that a rule contains begins at or behind its own start, so no counts are kept. Knows nothing of PEGTL.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "lang/ast.hpp"
+
+namespace lancer::grammar {
+
+/// Thrown where a statement cannot be understood; the statement around it recovers.
+struct SyntaxError {
+  Diagnostic diagnostic;
+  bool resume_here = false;  // a missing closer was reported: what was found begins the next statement
+  bool last = false;         // nothing sensible can follow: the parse ends
+};
+
+class Builder {
+ public:
+  Builder(std::string_view text, std::uint32_t file, ast::Arena& arena) : text_(text), file_(file), arena_(arena) {}
+
+  // --- Places ---
+  std::string_view text() const { return text_; }
+  std::uint32_t offset(const char* at) const { return static_cast<std::uint32_t>(at - text_.data()); }
+  Span span(const char* begin) const { return {file_, offset(begin), last_end}; }
+  Span span(std::uint32_t begin, std::uint32_t end) const { return {file_, begin, end}; }
+  /// Where the last token ended; white space behind it does not count.
+  std::uint32_t last_end = 0;
+  /// Where the token before that ended.
+  std::uint32_t previous_end = 0;
+
+  // --- Context that rules ask about ---
+  bool comparisons = true;             // a bare comparison is an expression here
+  int depth = 0;                       // of blocks and expressions
+  int loops = 0;                       // around this statement, within its function
+  bool in_function = false;
+  int blocks = 0;                      // braces around this statement
+  std::vector<ast::Kind> kinds;        // of the object blocks around this place
+  ast::Kind pending_kind = ast::Kind::sphere;
+  bool any_kind = false;               // inside the block of `modify`
+  std::vector<std::uint32_t> brackets; // offsets of the open ones
+  bool closed_range = false;           // the range sign just read was `..=`
+  int assumed_closers = 0;             // closers reported missing: as many stray ones are no mistake of their own
+
+  // --- Messages ---
+  std::vector<Diagnostic> diagnostics;
+  std::vector<Span> skipped;           // passed over after mistakes
+  bool incomplete = false;             // the text ended too early
+  void report(Diagnostic diagnostic) { diagnostics.push_back(std::move(diagnostic)); }
+  void report_misplaced(const char* begin, std::string message, std::string help);
+
+  // --- Stacks ---
+  struct Word {
+    Span span;
+    std::string_view id;
+  };
+  struct Piece {  // of a string
+    std::uint32_t begin;
+    std::string text;
+    ast::Expr* value;
+  };
+  template <class Op>
+  struct Placed {
+    std::uint32_t begin;
+    Op op;
+    std::uint32_t operand_end;  // of what stands before the operator
+  };
+  std::vector<ast::Expr*> exprs;
+  std::vector<ast::Stmt*> stmts;
+  std::vector<ast::Attribute> attributes;
+  std::vector<ast::Parameter> parameters;
+  std::vector<std::pair<std::uint32_t, ast::Scope>> scopes;
+  std::vector<Word> words;
+  std::vector<ast::String*> names;
+  std::vector<Piece> pieces;
+  std::vector<Placed<ast::BinaryOp>> operators;
+  std::vector<Placed<ast::CompareOp>> comparers;
+  std::vector<Placed<ast::UnaryOp>> signs;
+
+  struct Mark {
+    std::size_t exprs, stmts, attributes, parameters, scopes, words, names, pieces, operators, comparers, signs;
+  };
+  Mark mark() const;
+  void reset(const Mark& mark);
+
+  // --- Nodes: each takes what lies on the stacks from `begin` on, and pushes what it makes ---
+  ast::Arena& arena() { return arena_; }
+  template <class T>
+  void push(T node) { exprs.push_back(arena_.make(std::move(node))); }
+  template <class T>
+  void push_stmt(T node) { stmts.push_back(arena_.make(std::move(node))); }
+
+  void number(const char* begin, const char* end);
+  void color(const char* begin, const char* end);
+  void name(const char* begin);
+  void string(const char* begin);
+  void vector(const char* begin);
+  void list(const char* begin);
+  void range(const char* begin, bool closed);
+  void unary(const char* begin);
+  void chain(const char* begin);
+  void logical(const char* begin, bool is_and);
+  void compare(const char* begin);
+  void power(const char* begin);
+  void conditional(const char* begin);
+  void call(const char* begin);
+  void index(const char* begin);
+  void member();
+  void parameter(const char* begin);
+  void function(const char* begin);
+  void attribute(const char* begin);
+  void block(const char* begin);
+
+  void scope(const char* begin);
+  void let(const char* begin);
+  void function_statement(const char* begin);
+  void assign(const char* begin);
+  void branch(const char* begin);
+  void for_loop(const char* begin);
+  void while_loop(const char* begin);
+  void give_back(const char* begin);
+  void include(const char* begin);
+  void modify(const char* begin);
+  void remove(const char* begin);
+  void settings(const char* begin);
+  void expression_statement();
+  void attribute_statement(const char* begin);
+
+  Word take_word();
+
+ private:
+  std::span<ast::Expr*> take_exprs(std::uint32_t begin);
+  ast::Expr* take_expr();
+  std::span<ast::Stmt*> take_stmts(std::uint32_t begin);
+  std::span<ast::Attribute> take_attributes(std::uint32_t begin);
+  ast::Function* take_function(const char* begin, Word name);
+  void check_postfix_depth(const ast::Expr* base);
+
+  std::string_view text_;
+  std::uint32_t file_;
+  ast::Arena& arena_;
+};
+
+/// The identifier that begins at `at`; empty where none does.
+std::string_view word_at(const char* at, const char* end);
+
+}  // namespace lancer::grammar

@@ -1,0 +1,246 @@
+// The only file that includes CLI11, which is slow to compile.
+
+#include "app/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fmt/format.h>
+#include <limits>
+
+#include "app/exit_code.hpp"
+#include "app/option_values.hpp"
+#include "base/diagnostic.hpp"
+
+namespace lancer::app {
+namespace {
+
+constexpr std::int64_t k_most = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t k_most_samples = 1 << 20;
+constexpr std::int64_t k_most_threads = 1024;
+constexpr std::array<std::string_view, 3> k_commands{"render", "check", "dump"};
+
+constexpr const char* k_examples = R"(Examples:
+  lancer lamp.scn                            draws lamp.png beside the script
+  lancer render lamp.scn -o big.png --size 1920,1080 --samples 64
+  lancer render lamp.scn --all-views         lamp-VIEW.png for each view
+  lancer render lamp.scn -D n=12 -o - | display
+  lancer check lamp.scn                      finds mistakes without drawing
+  lancer check --run lamp.scn                shows what the script prints
+  lancer dump --scene lamp.scn               lists everything in the scene
+
+Exit codes: 0 fine, 1 the script is wrong, 2 the command line is wrong,
+3 a file cannot be read or written, 130 interrupted.)";
+
+/// As typed; read strictly afterwards.
+struct ScriptTexts {
+  std::vector<std::string> folders, defines;
+  std::string max_steps, max_objects;
+};
+
+struct RenderTexts {
+  ScriptTexts script;
+  std::string output, size, samples, threads, region, format, stats;
+};
+
+/// An option that may be repeated, with one value each time.
+void add_repeated(CLI::App& app, const std::string& names, std::vector<std::string>& target,
+                  const std::string& value, const std::string& what) {
+  app.add_option(names, target, what)->type_name(value)->allow_extra_args(false);
+}
+
+CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& target, const std::string& value,
+                      const std::string& what) {
+  return app.add_option(names, target, what)->type_name(value);
+}
+
+void add_script_options(CLI::App& app, ScriptTexts& texts) {
+  add_repeated(app, "-D,--define", texts.defines, "NAME=VALUE", "Set a variable of the script from outside");
+  add_repeated(app, "-I,--include", texts.folders, "DIR", "Look for included files here too");
+  add_text(app, "--max-steps", texts.max_steps, "N",
+           "Stop a script after so many steps (100000000; 0: never)");
+  add_text(app, "--max-objects", texts.max_objects, "N", "Allow so many objects (10000000; 0: any number)");
+}
+
+void add_render(CLI::App& app, RenderCommand& command, RenderTexts& texts) {
+  app.add_option("FILE", command.file, "The script; - reads standard input")->required()->type_name("");
+  add_text(app, "-o,--output", texts.output, "OUT",
+           "The picture, by its ending .png, .ppm, .pfm or .exr; - writes standard output");
+  add_text(app, "--format", texts.format, "F",
+           fmt::format("Its format, whatever the ending: {}", image::k_format_names));
+  auto* views = app.add_option("--view", command.views, "Draw this view; may be repeated")
+                    ->type_name("NAME")
+                    ->allow_extra_args(false);
+  app.add_flag("--all-views", command.all_views, "Draw every view")->excludes(views);
+  add_text(app, "--size", texts.size, "W,H", "The picture's size in pixels, in place of the view's");
+  add_text(app, "--samples", texts.samples, "N", "Rays a pixel (16); 1 is the pixel's centre");
+  add_text(app, "--threads", texts.threads, "N", "Threads to draw with (0: as many as the machine has)");
+  add_text(app, "--region", texts.region, "X0,Y0,X1,Y1", "Only these pixels; X1 and Y1 are excluded");
+  add_script_options(app, texts.script);
+  app.add_flag("--stats{text}", texts.stats, "Tell what the drawing took; --stats=json on standard output");
+  app.add_flag("--quiet", command.quiet, "Say nothing but errors and warnings");
+}
+
+void read_script_options(const ScriptTexts& texts, session::RunOptions& run) {
+  run.include_folders = texts.folders;
+  for (const std::string& text : texts.defines) run.defines.push_back(read_define(text));
+  if (!texts.max_steps.empty()) {
+    run.limits.steps = static_cast<std::uint64_t>(read_whole("--max-steps", texts.max_steps, 0, k_most));
+  }
+  if (!texts.max_objects.empty()) {
+    run.limits.objects =
+        static_cast<std::uint64_t>(read_whole("--max-objects", texts.max_objects, 0, k_most));
+  }
+}
+
+void read_render_options(const RenderTexts& texts, RenderCommand& command) {
+  read_script_options(texts.script, command.run);
+  if (!texts.output.empty()) command.output = texts.output;
+  if (!texts.size.empty()) read_size(texts.size, command.options);
+  if (!texts.region.empty()) command.options.region = read_region(texts.region);
+  if (!texts.samples.empty()) {
+    command.options.samples = static_cast<int>(read_whole("--samples", texts.samples, 1, k_most_samples));
+  }
+  if (!texts.threads.empty()) {
+    command.options.threads = static_cast<int>(read_whole("--threads", texts.threads, 0, k_most_threads));
+  }
+  if (!texts.format.empty()) {
+    command.format = image::format_from_name(texts.format);
+    if (!command.format) {
+      throw UsageError(
+          fmt::format("--format is one of {}; this is `{}`", image::k_format_names, texts.format));
+    }
+  }
+  if (texts.stats == "text") command.stats = StatsFormat::text;
+  if (texts.stats == "json") command.stats = StatsFormat::json;
+  if (!texts.stats.empty() && command.stats == StatsFormat::none) {
+    throw UsageError(fmt::format("--stats is --stats or --stats=json; this is `--stats={}`", texts.stats));
+  }
+}
+
+/// What the parser did not expect, with the option that was probably meant.
+std::string unexpected(CLI::App& app, const std::string& argument) {
+  if (argument.size() < 2 || argument[0] != '-') return fmt::format("`{}` is one file too many", argument);
+  const std::string word = argument.substr(0, argument.find('='));
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::string_view near = nearest(word, std::vector<std::string_view>(names.begin(), names.end()));
+  return fmt::format("there is no option {}{}", word,
+                     near.empty() ? "" : fmt::format("; did you mean {}?", near));
+}
+
+Answer wrong(const std::string& what) {
+  return {k_command_wrong, fmt::format("lancer: {}\nlancer --help shows what there is\n", what)};
+}
+
+/// Parses for one command; nothing when that went well.
+std::optional<Answer> parse(CLI::App& app, std::vector<std::string> arguments) {
+  std::reverse(arguments.begin(), arguments.end());
+  try {
+    app.parse(std::move(arguments));
+  } catch (const CLI::CallForHelp&) {
+    return Answer{k_fine, app.help()};
+  } catch (const CLI::ExtrasError&) {
+    return wrong(unexpected(app, app.remaining().front()));
+  } catch (const CLI::RequiredError& problem) {
+    return wrong(problem.get_name() == "RequiredError" && app["FILE"]->empty() ? "there is no FILE to work on"
+                                                                               : problem.what());
+  } catch (const CLI::ParseError& problem) {
+    return wrong(problem.what());
+  }
+  return std::nullopt;
+}
+
+Command parse_render(std::vector<std::string> arguments) {
+  CLI::App app("Draw a script's views", "lancer render");
+  app.footer(k_examples);
+  RenderCommand command;
+  RenderTexts texts;
+  add_render(app, command, texts);
+  if (auto answer = parse(app, std::move(arguments))) return *answer;
+  read_render_options(texts, command);
+  return command;
+}
+
+Command parse_check(std::vector<std::string> arguments) {
+  CLI::App app("Find mistakes in scripts without drawing", "lancer check");
+  CheckCommand command;
+  ScriptTexts texts;
+  std::string format = "text";
+  app.add_option("FILE", command.files, "The scripts; - reads standard input")->required()->type_name("");
+  app.add_flag("--run", command.prints, "Show what the scripts print");
+  app.add_option("--format", format, "How messages are written: text or json, one object a line")
+      ->type_name("text|json");
+  add_script_options(app, texts);
+  if (auto answer = parse(app, std::move(arguments))) return *answer;
+  read_script_options(texts, command.run);
+  if (format != "text" && format != "json")
+    throw UsageError(fmt::format("--format is text or json; this is `{}`", format));
+  command.json = format == "json";
+  return command;
+}
+
+Command parse_dump(std::vector<std::string> arguments) {
+  CLI::App app("Show what Lancer makes of a script", "lancer dump");
+  DumpCommand command;
+  ScriptTexts texts;
+  bool scene = false;
+  app.add_option("FILE", command.file, "The script; - reads standard input")->required()->type_name("");
+  auto* ast = app.add_flag("--ast", command.ast, "The script as it was understood");
+  app.add_flag("--scene", scene, "The scene that it makes")->excludes(ast);
+  add_script_options(app, texts);
+  if (auto answer = parse(app, std::move(arguments))) return *answer;
+  read_script_options(texts, command.run);
+  if (!command.ast && !scene) throw UsageError("dump wants --ast or --scene");
+  return command;
+}
+
+std::string general_help() {
+  return fmt::format(
+      "Lancer draws scenes that are written in a small language.\n\n"
+      "  lancer FILE                 the same as lancer render FILE\n"
+      "  lancer render FILE ...      draw a script's views\n"
+      "  lancer check FILE ...       find mistakes without drawing\n"
+      "  lancer dump --ast|--scene FILE\n"
+      "                              show what Lancer makes of a script\n"
+      "  lancer COMMAND --help       the options of a command\n"
+      "  lancer --version\n\n{}\n",
+      k_examples);
+}
+
+bool is_command(const std::string& word) {
+  return std::find(k_commands.begin(), k_commands.end(), word) != k_commands.end();
+}
+
+/// A command with a slip in it rather than the name of a script.
+std::optional<Answer> misspelt_command(const std::string& word) {
+  if (word.empty() || word[0] == '-' || word.find_first_of("./") != std::string::npos) return std::nullopt;
+  const std::string_view near =
+      nearest(word, std::vector<std::string_view>(k_commands.begin(), k_commands.end()));
+  std::error_code ignored;
+  if (near.empty() || std::filesystem::exists(word, ignored)) return std::nullopt;
+  return wrong(fmt::format("there is no command {}; did you mean {}?", word, near));
+}
+
+}  // namespace
+
+Command parse_command_line(std::vector<std::string> arguments) {
+  if (arguments.empty()) return Answer{k_command_wrong, general_help()};
+  const std::string first = arguments.front();
+  if (first == "--help" || first == "-h" || first == "help") return Answer{k_fine, general_help()};
+  if (first == "--version") return Answer{k_fine, "lancer " LANCER_VERSION "\n"};
+  if (auto answer = misspelt_command(first)) return *answer;
+  if (is_command(first)) arguments.erase(arguments.begin());
+  try {
+    if (first == "check") return parse_check(std::move(arguments));
+    if (first == "dump") return parse_dump(std::move(arguments));
+    return parse_render(std::move(arguments));
+  } catch (const UsageError& problem) {
+    return wrong(problem.what());
+  }
+}
+
+}  // namespace lancer::app

@@ -1,0 +1,48 @@
+#pragma once
+// Affine maps of space, p -> M p + t, and pairs of such a map with its inverse.
+
+#include <array>
+#include <optional>
+
+#include "base/vec.hpp"
+
+namespace lancer {
+
+/// p -> M p + t, M in rows.
+struct Affine {
+  std::array<Vec3, 3> rows = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  Vec3 translation;
+
+  friend bool operator==(const Affine&, const Affine&) = default;
+  Vec3 vector(Vec3 v) const { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
+  Vec3 point(Vec3 p) const { return vector(p) + translation; }
+  /// M^T v: how normals travel when called on the inverse map.
+  Vec3 transposed(Vec3 v) const { return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z; }
+};
+
+bool is_identity(const Affine& a);
+bool is_finite(const Affine& a);
+double determinant(const Affine& a);
+
+/// The map that applies `first`, then `second`.
+Affine then(const Affine& first, const Affine& second);
+
+Affine translation(Vec3 offset);
+Affine scaling(Vec3 factors);
+/// About x by angles.x, then about y, then about z, right-handed, in degrees; exact for multiples of 90.
+Affine rotation(Vec3 angles);
+/// About `axis` (any length but zero), right-handed, in degrees.
+Affine rotation(Vec3 axis, double angle);
+
+/// The inverse; nothing when it does not exist or is not finite.
+std::optional<Affine> inverse(const Affine& a);
+
+/// A map of an object's own space to the world, with its inverse.
+struct Transform {
+  Affine to_world;
+  Affine to_object;
+
+  Vec3 normal_to_world(Vec3 n) const { return to_object.transposed(n); }
+};
+
+}  // namespace lancer

@@ -1,0 +1,211 @@
+#include "tracer/intersect.hpp"
+
+#include <algorithm>
+
+namespace lancer::tracer {
+namespace {
+
+/// A surface that may be the first: the true distance is somewhere within its bounds.
+struct Candidate {
+  std::uint32_t primitive = 0;
+  Root root;
+  double at_least = 0;
+};
+
+/// Those that may be the first of all seen so far. Which ones those are does not depend on the order in which
+/// they are seen: at the end it holds exactly those whose lower bound is not beyond the least upper bound.
+class Candidates {
+ public:
+  /// No surface beyond this distance can be the first.
+  const double& limit() const { return limit_; }
+
+  void add(std::uint32_t primitive, const Root& root, double box_enter) {
+    const double at_least = std::fmax(root.t - root.error, box_enter);
+    const double at_most = std::fmax(root.t + root.error, box_enter);
+    if (at_least > limit_) return;
+    limit_ = std::fmin(limit_, at_most);
+    if (list_.size() >= k_tidy) tidy();
+    list_.push_back({primitive, root, at_least});
+  }
+
+  void tidy() {
+    std::size_t kept = 0;
+    for (const Candidate& candidate : list_) {
+      if (candidate.at_least <= limit_) list_[kept++] = candidate;
+    }
+    list_.shrink(kept);
+  }
+
+  const Candidate* begin() const { return list_.begin(); }
+  const Candidate* end() const { return list_.end(); }
+  bool empty() const { return list_.empty(); }
+
+ private:
+  static constexpr std::size_t k_tidy = 6;
+  SmallList<Candidate, 8> list_;
+  double limit_ = std::numeric_limits<double>::infinity();
+};
+
+Candidates search(const World& world, const Ray& ray, Stats& stats) {
+  Candidates candidates;
+  for (const Contact& contact : ray.contacts) {
+    if (at_start(contact, world.primitives[contact.primitive].kind, ray.direction) ==
+        AtStart::passes_through) {
+      candidates.add(contact.primitive, exit(world, contact.primitive, ray.origin, ray.direction), 0);
+    }
+  }
+  const Probe probe(ray);
+  const auto test = [&](std::uint32_t primitive) {
+    if (find_contact(ray.contacts, primitive)) return false;
+    ++stats.shape_tests;
+    const Roots found = roots(world, primitive, probe);
+    for (int i = 0; i < found.count; ++i) {
+      const Root& root = found.root[i];
+      if (!(root.t > 0) || is_echo(ray, world.primitives[primitive], root)) continue;
+      if (root.t - root.error > candidates.limit()) break;
+      const Interval own = own_interval(world, primitive, probe);
+      if (own.enter <= own.leave) candidates.add(primitive, root, own.enter);
+      break;
+    }
+    return false;
+  };
+  for (const std::uint32_t primitive : world.unbounded) test(primitive);
+  world.tree.traverse(probe, candidates.limit(), stats.node_visits,
+                      [&](std::uint32_t item) { return test(world.bounded[item]); });
+  candidates.tidy();
+  return candidates;
+}
+
+/// Is the ray inside the shape, as far as it knows?
+bool starts_inside(const Ray& ray, std::uint32_t shape) {
+  for (const Contact& contact : ray.contacts) {
+    if (contact.shape == shape) return contact.inside;
+  }
+  return std::find(ray.open.begin(), ray.open.end(), shape) != ray.open.end();
+}
+
+/// The candidate of the object that was added first. Where several facets of its mesh meet, the first of
+/// those that fit the side of the mesh that the ray comes from.
+const Candidate& first_met(const World& world, const Ray& ray, const Candidates& candidates) {
+  const auto shape_of = [&](const Candidate& c) { return world.primitives[c.primitive].shape; };
+  std::uint32_t shape = shape_of(*candidates.begin());
+  for (const Candidate& c : candidates) shape = std::min(shape, shape_of(c));
+  const bool inside = starts_inside(ray, shape);
+  const Candidate* best = nullptr;
+  for (const Candidate& c : candidates) {
+    if (shape_of(c) != shape) continue;
+    const bool fits = c.root.entering != inside;
+    const bool best_fits = best && best->root.entering != inside;
+    if (!best || (fits && !best_fits) || (fits == best_fits && c.primitive < best->primitive)) best = &c;
+  }
+  return *best;
+}
+
+/// Do facets of the shape, a mesh, cross at the hit in both ways?
+bool is_mixed(const World& world, const Candidates& candidates, std::uint32_t shape) {
+  bool enters = false, leaves = false;
+  for (const Candidate& c : candidates) {
+    if (world.primitives[c.primitive].shape == shape) (c.root.entering ? enters : leaves) = true;
+  }
+  return enters && leaves;
+}
+
+void collect_contacts(const World& world, const Ray& ray, const Candidates& candidates, Hit& hit) {
+  for (const Candidate& c : candidates) {
+    const std::uint32_t shape = world.primitives[c.primitive].shape;
+    const bool mixed =
+        world.primitives[c.primitive].kind == Kind::facet && is_mixed(world, candidates, shape);
+    const bool inside = mixed ? starts_inside(ray, shape) : !c.root.entering;
+    hit.contacts.push_back(
+        {c.primitive, shape, c.root.face, inside, false, normal(world, c.primitive, hit.point, c.root.face)});
+  }
+  // The order in which the search found them must not show.
+  std::sort(hit.contacts.begin(), hit.contacts.end(),
+            [](const Contact& a, const Contact& b) { return a.primitive < b.primitive; });
+  // A ray that has not measurably moved still stands where it started.
+  if (hit.root.t > hit.root.error + ray.origin_error) return;
+  for (Contact contact : ray.contacts) {
+    if (find_contact(hit.contacts, contact.primitive)) continue;
+    contact.left = false;
+    hit.contacts.push_back(contact);
+  }
+}
+
+/// At an edge: does the facet of the contact lie behind the surface that a ray leaves to the side `away`?
+/// Then the ray, although it runs behind the facet's plane, only touches its rim.
+bool falls_away(const World& world, const Contact& contact, Vec3 point, Vec3 away) {
+  const Primitive primitive = world.primitives[contact.primitive];
+  if (primitive.kind != Kind::facet) return false;
+  const FacetPrimitive& f = world.facets[primitive.record];
+  return dot(away, (f.a - point) + (f.b - point) + (f.c - point)) <= 0;
+}
+
+/// The first of the surfaces that the ray crosses right where it starts.
+const Contact* met_at_start(const World& world, const Ray& ray) {
+  const Contact* best = nullptr;
+  for (const Contact& contact : ray.contacts) {
+    const Kind kind = world.primitives[contact.primitive].kind;
+    if (at_start(contact, kind, ray.direction) != AtStart::meets) continue;
+    if (!best || contact.primitive < best->primitive) best = &contact;
+  }
+  return best;
+}
+
+}  // namespace
+
+AtStart at_start(const Contact& contact, Kind kind, Vec3 direction) {
+  const double outward = dot(contact.normal, direction);
+  if (!contact.left && (contact.inside ? outward > 0 : outward < 0)) return AtStart::meets;
+  return is_convex_solid(kind) && outward < 0 ? AtStart::passes_through : AtStart::nothing;
+}
+
+bool is_echo(const Ray& ray, const Primitive& primitive, const Root& root) {
+  if (primitive.kind != Kind::facet || ray.contacts.empty()) return false;
+  if (root.t > root.error + ray.origin_error) return false;
+  for (const Contact& contact : ray.contacts) {
+    if (contact.shape == primitive.shape) return root.entering == contact.inside;
+  }
+  return false;
+}
+
+bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
+  hit.contacts.clear();
+  if (const Contact* const contact = met_at_start(world, ray)) {
+    hit.primitive = contact->primitive;
+    hit.shape = contact->shape;
+    hit.root = {0, ray.origin_error, !contact->inside, contact->face};
+    hit.point = ray.origin;
+    hit.point_error = ray.origin_error;
+    hit.normal = contact->normal;
+    hit.contacts = ray.contacts;
+    for (Contact& c : hit.contacts) c.left = false;
+    return true;
+  }
+  const Candidates candidates = search(world, ray, stats);
+  if (candidates.empty()) return false;
+  const Candidate& first = first_met(world, ray, candidates);
+  hit.primitive = first.primitive;
+  hit.shape = world.primitives[first.primitive].shape;
+  hit.root = first.root;
+  hit.point = project(world, hit.primitive, ray.origin + ray.direction * hit.root.t, hit.root.face);
+  hit.point_error = hit.root.error + 4 * k_u * max_abs(hit.point);
+  hit.normal = normal(world, hit.primitive, hit.point, hit.root.face);
+  collect_contacts(world, ray, candidates, hit);
+  return true;
+}
+
+Ray ray_from(const World& world, const Hit& hit, Vec3 direction) {
+  Ray ray{hit.point, direction, hit.point_error, hit.contacts, {}};
+  const bool inside = dot(hit.normal, direction) < 0;
+  const bool turns_back = inside != hit.root.entering;
+  const Vec3 away = inside ? -hit.normal : hit.normal;
+  for (Contact& contact : ray.contacts) {
+    if (contact.shape == hit.shape) contact.inside = inside;
+    if (contact.primitive == hit.primitive || (turns_back && falls_away(world, contact, hit.point, away))) {
+      contact.left = true;
+    }
+  }
+  return ray;
+}
+
+}  // namespace lancer::tracer

@@ -1,0 +1,92 @@
+#include "tracer/media.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace lancer::tracer {
+namespace {
+
+/// Where the ray first leaves the shape; infinite where it never does.
+double way_out(const World& world, std::uint32_t shape, const Probe& probe, Stats& stats) {
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto test = [&](std::uint32_t primitive) {
+    ++stats.shape_tests;
+    const Roots found = roots(world, primitive, probe);
+    for (int i = 0; i < found.count; ++i) {
+      const Root& root = found.root[i];
+      if (!root.entering && root.t > 0) nearest = std::fmin(nearest, root.t);
+    }
+  };
+  const std::uint32_t first = world.first_primitive[shape], last = world.first_primitive[shape + 1];
+  if (last - first == 1) {
+    test(first);
+    return nearest;
+  }
+  world.tree.traverse(probe, nearest, stats.node_visits, [&](std::uint32_t item) {
+    const std::uint32_t primitive = world.bounded[item];
+    if (primitive >= first && primitive < last) test(primitive);
+    return false;
+  });
+  return nearest;
+}
+
+/// Is a ray from a point exactly on the shape's surface about to be inside?
+bool goes_in(const World& world, std::uint32_t shape, const Probe& probe) {
+  const Roots found = roots(world, world.first_primitive[shape], probe);
+  if (found.count == 2) return found.root[1].t > 0;
+  return found.count == 1 && found.root[0].entering;
+}
+
+}  // namespace
+
+double refractive_index(const World& world, const OpenSolids& open) {
+  return open.empty() ? world.scene->settings.ior : world.material_of(open.back()).ior;
+}
+
+void cross(const World& world, OpenSolids& open, std::uint32_t shape, bool entering) {
+  if (!encloses(*world.scene, shape)) return;
+  const auto at = std::find(open.begin(), open.end(), shape);
+  if (entering && at == open.end()) open.push_back(shape);
+  if (!entering && at != open.end()) open.erase(static_cast<std::size_t>(at - open.begin()));
+}
+
+std::vector<Surrounding> solids_around(const World& world, Vec3 p) {
+  std::vector<std::uint32_t> shapes;
+  const auto add = [&](std::uint32_t primitive) {
+    const Primitive& one = world.primitives[primitive];
+    if (one.kind != Kind::facet) shapes.push_back(one.shape);
+  };
+  for (const std::uint32_t primitive : world.unbounded) add(primitive);
+  world.tree.around(p, [&](std::uint32_t item) { add(world.bounded[item]); });
+  for (const SolidMesh& mesh : world.solid_meshes) {
+    if (mesh.bounds.contains(p)) shapes.push_back(mesh.shape);
+  }
+  std::sort(shapes.begin(), shapes.end());
+  std::vector<Surrounding> around;
+  for (const std::uint32_t shape : shapes) {
+    const double where = side(world, shape, p);
+    if (where <= 0) around.push_back({shape, where == 0});
+  }
+  return around;
+}
+
+OpenSolids open_at(const World& world, const std::vector<Surrounding>& around, Vec3 origin, Vec3 direction,
+                   Stats& stats) {
+  struct Way {
+    std::uint32_t shape;
+    double out;
+  };
+  OpenSolids open;
+  if (around.empty()) return open;
+  const Probe probe(origin, direction);
+  std::vector<Way> ways;
+  for (const Surrounding& solid : around) {
+    if (solid.touched && !goes_in(world, solid.shape, probe)) continue;
+    ways.push_back({solid.shape, around.size() == 1 ? 0 : way_out(world, solid.shape, probe, stats)});
+  }
+  std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.out > b.out; });
+  for (const Way& way : ways) open.push_back(way.shape);
+  return open;
+}
+
+}  // namespace lancer::tracer

@@ -1,0 +1,141 @@
+#include "tracer/prepare.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/shapes/linear_map.hpp"
+#include "tracer/world.hpp"
+
+namespace lancer::tracer {
+namespace {
+
+/// How far rounding may have moved p: coordinates as written are taken to be off by an ulp, so that surfaces
+/// that coincide but for the rounding of their numbers count as coincident; mapped ones by that of the map
+/// too.
+double image_error(const Affine& map, Vec3 p) {
+  if (is_identity(map)) return 2 * k_u * max_abs(p);
+  return 8 * k_u * max_abs(apply_abs(map.rows, p) + abs(map.translation));
+}
+
+/// Does the map keep angles, within rounding? `factor` is by how much it scales.
+bool is_similarity(const Affine& map, double& factor) {
+  const Rows& m = map.rows;
+  const double xx = dot(m[0], m[0]), yy = dot(m[1], m[1]), zz = dot(m[2], m[2]);
+  const double tolerance = 64 * k_u * xx;
+  factor = std::sqrt(xx);
+  return std::fabs(xx - yy) <= tolerance && std::fabs(xx - zz) <= tolerance &&
+         std::fabs(dot(m[0], m[1])) <= tolerance && std::fabs(dot(m[1], m[2])) <= tolerance &&
+         std::fabs(dot(m[2], m[0])) <= tolerance;
+}
+
+/// Does the map take the axes to axes?
+bool keeps_axes(const Affine& map) {
+  return std::all_of(map.rows.begin(), map.rows.end(), [](Vec3 row) {
+    return (row.x != 0 ? 1 : 0) + (row.y != 0 ? 1 : 0) + (row.z != 0 ? 1 : 0) == 1;
+  });
+}
+
+template <class T>
+void append(World& world, std::vector<T>& records, const T& record, Kind kind, std::uint32_t shape) {
+  world.primitives.push_back({kind, static_cast<std::uint32_t>(records.size()), shape});
+  records.push_back(record);
+}
+
+void add_sphere(World& world, std::uint32_t shape, const scene::Sphere& sphere, const Transform& transform) {
+  const Affine& map = transform.to_world;
+  const Vec3 center = map.point(sphere.center);
+  const double reach = max_abs(apply_abs(map.rows, {sphere.radius, sphere.radius, sphere.radius}));
+  const double slack = image_error(map, sphere.center) + (is_identity(map) ? 2 : 8) * k_u * reach;
+  double factor = 1;
+  if (is_similarity(map, factor)) {
+    append(world, world.spheres, SpherePrimitive{center, sphere.radius * factor, slack}, Kind::sphere, shape);
+    return;
+  }
+  EllipsoidPrimitive ellipsoid{center, transform.to_object.rows, map.rows, slack};
+  for (Vec3& row : ellipsoid.to_own) row = row / sphere.radius;
+  for (Vec3& row : ellipsoid.to_world) row = row * sphere.radius;
+  append(world, world.ellipsoids, ellipsoid, Kind::ellipsoid, shape);
+}
+
+void add_plane(World& world, std::uint32_t shape, const scene::Plane& plane, const Transform& transform) {
+  const Affine& map = transform.to_world;
+  const bool placed = !is_identity(map);
+  Vec3 n = plane.normal;
+  double level = plane.offset * length(n);
+  if (placed) n = transform.normal_to_world(n);
+  const int exponent = std::ilogb(max_abs(n));
+  n = {std::scalbn(n.x, -exponent), std::scalbn(n.y, -exponent), std::scalbn(n.z, -exponent)};
+  level = std::scalbn(level, -exponent);
+  const double slack = image_error(map, plane.point) + 4 * k_u * std::fabs(level) / length(n);
+  append(world, world.planes,
+         PlanePrimitive{map.point(plane.point), n, level, slack, (placed ? 16 : 2) * k_u}, Kind::plane,
+         shape);
+}
+
+void add_box(World& world, std::uint32_t shape, const scene::Box& box, const Transform& transform) {
+  const Transform& frame = world.scene->transforms[box.frame];
+  const Affine map = box.frame == 0 ? transform.to_world : then(frame.to_world, transform.to_world);
+  const Affine back = box.frame == 0 ? transform.to_object : then(transform.to_object, frame.to_object);
+  BoxPrimitive out;
+  const Vec3 corner{std::fmax(std::fabs(box.lo.x), std::fabs(box.hi.x)),
+                    std::fmax(std::fabs(box.lo.y), std::fabs(box.hi.y)),
+                    std::fmax(std::fabs(box.lo.z), std::fabs(box.hi.z))};
+  out.slack = image_error(map, corner);
+  if (keeps_axes(map)) {
+    Aabb placed;
+    placed.add(map.point(box.lo));
+    placed.add(map.point(box.hi));
+    out.lo = placed.lo;
+    out.hi = placed.hi;
+  } else {
+    out.aligned = false;
+    out.center = map.point(box.lo * 0.5 + box.hi * 0.5);
+    out.hi = box.hi * 0.5 - box.lo * 0.5;
+    out.lo = -out.hi;
+    out.to_own = back.rows;
+    out.to_world = map.rows;
+  }
+  append(world, world.boxes, out, Kind::box, shape);
+}
+
+void add_facet(World& world, std::uint32_t shape, const std::array<Vec3, 3>& corners, std::uint32_t face,
+               const Affine& map) {
+  FacetPrimitive facet;
+  facet.a = map.point(corners[0]);
+  facet.b = map.point(corners[1]);
+  facet.c = map.point(corners[2]);
+  facet.flipped = determinant(map) < 0;
+  facet.face = face;
+  for (const Vec3 corner : corners) facet.slack = std::fmax(facet.slack, image_error(map, corner));
+  if (max_abs(accurate_cross(facet.b - facet.a, facet.c - facet.a)) > 0) {
+    append(world, world.facets, facet, Kind::facet, shape);
+  }
+}
+
+void add_mesh(World& world, std::uint32_t shape, const scene::Mesh& mesh, const Affine& map) {
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    const auto& [a, b, c] = mesh.faces[face];
+    add_facet(world, shape, {mesh.points[a], mesh.points[b], mesh.points[c]}, face, map);
+  }
+}
+
+}  // namespace
+
+void add_primitives(World& world, std::uint32_t shape) {
+  const scene::Scene& scene = *world.scene;
+  const scene::Shape& s = scene.shapes[shape];
+  const Transform& transform = scene.transforms[s.transform];
+  switch (s.kind) {
+    case scene::ShapeKind::sphere: add_sphere(world, shape, scene.spheres[s.record], transform); break;
+    case scene::ShapeKind::plane: add_plane(world, shape, scene.planes[s.record], transform); break;
+    case scene::ShapeKind::box: add_box(world, shape, scene.boxes[s.record], transform); break;
+    case scene::ShapeKind::facet: {
+      const scene::Facet& facet = scene.facets[s.record];
+      add_facet(world, shape, {facet.a, facet.b, facet.c}, 0, transform.to_world);
+      break;
+    }
+    case scene::ShapeKind::mesh: add_mesh(world, shape, scene.meshes[s.record], transform.to_world); break;
+  }
+}
+
+}  // namespace lancer::tracer

@@ -1,0 +1,75 @@
+#pragma once
+// Rays, and what they remember of the place where they start. A ray that leaves a surface knows which
+// surfaces pass through its start and on which side of each it is; whether it meets them there is decided
+// from that, never from the size of a computed distance. So no epsilon is needed, at any scale.
+
+#include <cstdint>
+
+#include "base/vec.hpp"
+#include "tracer/small_list.hpp"
+
+namespace lancer::tracer {
+
+/// A primitive that passes through the start of a ray.
+struct Contact {
+  std::uint32_t primitive = 0;
+  std::uint32_t shape = 0;
+  std::uint8_t face = 0;  // of a box
+  bool inside = false;    // the ray starts on the side that the normal points away from
+  bool left = false;      // the surface that this ray leaves, which it never meets here
+  Vec3 normal;            // outward, unit length, at the start
+};
+using Contacts = SmallList<Contact, 2>;
+
+/// The solids that a ray is inside of, as places in Scene::shapes, in the order of entry.
+using OpenSolids = SmallList<std::uint32_t, 4>;
+
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;           // unit length
+  double origin_error = 0;  // how far, at most, rounding moved the origin from where it should be
+  Contacts contacts;
+  OpenSolids open;
+};
+
+/// What intersection tests want to know of a ray, worked out once.
+struct Probe {
+  Vec3 origin, direction;
+  Vec3 inverse;  // 1 / direction, infinite where a component is 0
+  int kx = 0, ky = 1,
+      kz = 2;  // kz: the largest component; kx and ky keep the winding (Woop, Benthin, Wald 2013)
+  double shear_x = 0, shear_y = 0, shear_z = 1;
+
+  Probe(Vec3 origin_in, Vec3 direction_in) : origin(origin_in), direction(direction_in) {
+    inverse = {1 / direction.x, 1 / direction.y, 1 / direction.z};
+    const Vec3 a{std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)};
+    kz = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
+    kx = (kz + 1) % 3;
+    ky = (kx + 1) % 3;
+    if (direction[kz] < 0) {
+      const int swap = kx;
+      kx = ky;
+      ky = swap;
+    }
+    shear_z = 1 / direction[kz];
+    shear_x = direction[kx] / direction[kz];
+    shear_y = direction[ky] / direction[kz];
+  }
+  explicit Probe(const Ray& ray) : Probe(ray.origin, ray.direction) {}
+};
+
+/// Where the line of a ray crosses a surface.
+struct Root {
+  double t = 0;      // along the ray; may be negative
+  double error = 0;  // |t - the true one| is at most this, the rounding of the shape's own numbers included
+  bool entering = true;
+  std::uint8_t face = 0;  // of a box: 2 axis, + 1 for the upper side
+};
+
+/// None, one or two crossings in ascending order of t.
+struct Roots {
+  int count = 0;
+  Root root[2];
+};
+
+}  // namespace lancer::tracer

@@ -1,0 +1,184 @@
+#include "tracer/render.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <mutex>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+#include <vector>
+
+#include "tracer/camera.hpp"
+#include "tracer/media.hpp"
+#include "tracer/radiance.hpp"
+#include "tracer/sample.hpp"
+
+namespace lancer::tracer {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// What all threads of one picture read.
+struct Job {
+  Tracing tracing;
+  Camera camera;
+  Region region;
+  int samples = 1;
+  std::vector<Surrounding> around_eye;  // where all rays start there
+};
+
+/// One thread's way from pixels to colours.
+class PixelTracer {
+ public:
+  explicit PixelTracer(const Job& job) : job_(job), tracer_(job.tracing) {}
+
+  /// The mean radiance of the pixel; no meaningful value once cancelled.
+  Color pixel(int column, int row) {
+    Color sum;
+    for (int i = 0; i < job_.samples && !job_.tracing.cancelled(); ++i) {
+      const PixelPoint at = pixel_point(column, row, i, job_.samples);
+      sum += tracer_.radiance(ray(column + at.x, row + at.y), job_.tracing.world->scene->settings.depth);
+      ++tracer_.stats().primary_rays;
+    }
+    return {sum.r / job_.samples, sum.g / job_.samples, sum.b / job_.samples};
+  }
+
+  const Stats& stats() { return tracer_.stats(); }
+
+ private:
+  Ray ray(double x, double y) {
+    const CameraRay from = job_.camera.ray(x, y);
+    Ray ray{from.origin, from.direction, 0, {}, {}};
+    if (job_.tracing.plan->media) {
+      const World& world = *job_.tracing.world;
+      ray.open =
+          job_.camera.has_one_origin()
+              ? open_at(world, job_.around_eye, ray.origin, ray.direction, tracer_.stats())
+              : open_at(world, solids_around(world, ray.origin), ray.origin, ray.direction, tracer_.stats());
+    }
+    return ray;
+  }
+
+  const Job& job_;
+  Tracer tracer_;
+};
+
+float to_float(double radiance) {
+  return static_cast<float>(std::min(radiance, static_cast<double>(std::numeric_limits<float>::max())));
+}
+
+/// Hands tiles out in reading order, and tells the watcher of each band of rows that is complete.
+class Tiles {
+ public:
+  Tiles(const Job& job, const Watch& watch, image::Image& image)
+      : job_(job),
+        watch_(watch),
+        image_(image),
+        across_((image.width() + k_side - 1) / k_side),
+        down_((image.height() + k_side - 1) / k_side),
+        left_(static_cast<std::size_t>(down_)) {
+    for (std::atomic<int>& left : left_) left = across_;
+  }
+
+  /// What one thread does until no tile is left.
+  void work(Stats& total) {
+    PixelTracer tracer(job_);
+    while (!job_.tracing.cancelled()) {
+      const std::int64_t tile = next_.fetch_add(1, std::memory_order_relaxed);
+      if (tile >= std::int64_t{across_} * down_) break;
+      draw(tracer, static_cast<int>(tile % across_), static_cast<int>(tile / across_));
+    }
+    const std::lock_guard lock(stats_mutex_);
+    const Stats& mine = tracer.stats();
+    total.primary_rays += mine.primary_rays;
+    total.reflected_rays += mine.reflected_rays;
+    total.refracted_rays += mine.refracted_rays;
+    total.shadow_rays += mine.shadow_rays;
+    total.shape_tests += mine.shape_tests;
+    total.node_visits += mine.node_visits;
+  }
+
+  bool finished() const { return bands_done_.load() == down_; }
+
+ private:
+  static constexpr int k_side = 16;
+
+  void draw(PixelTracer& tracer, int tile_x, int tile_y) {
+    const int x1 = std::min(image_.width(), (tile_x + 1) * k_side);
+    const int y0 = tile_y * k_side, y1 = std::min(image_.height(), y0 + k_side);
+    for (int y = y0; y < y1; ++y) {
+      for (int x = tile_x * k_side; x < x1; ++x) {
+        const Color color = tracer.pixel(job_.region.x0 + x, job_.region.y0 + y);
+        // A pixel that was cut short stays black.
+        if (job_.tracing.cancelled()) return;
+        const auto out = image_.pixel(x, y);
+        out[0] = to_float(color.r);
+        out[1] = to_float(color.g);
+        out[2] = to_float(color.b);
+      }
+    }
+    if (left_[static_cast<std::size_t>(tile_y)].fetch_sub(1) != 1) return;
+    if (watch_.rows) {
+      const std::lock_guard lock(rows_mutex_);
+      watch_.rows(y0, y1, image_.row(y0).data());
+    }
+    bands_done_.fetch_add(1);
+  }
+
+  const Job& job_;
+  const Watch& watch_;
+  image::Image& image_;
+  int across_, down_;
+  std::atomic<std::int64_t> next_{0};
+  std::vector<std::atomic<int>> left_;  // tiles of each band
+  std::atomic<int> bands_done_{0};
+  std::mutex rows_mutex_, stats_mutex_;
+};
+
+/// Runs `work` on `threads` threads, or as many as the machine gives.
+template <class Work>
+void on_threads(int threads, Work work) {
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::task_group group;
+    for (int i = 1; i < threads; ++i) group.run(work);
+    group.run_and_wait(work);
+  });
+}
+
+}  // namespace
+
+Rendered render(const scene::Scene& scene, const scene::View& view, const Options& options,
+                const Watch& watch) {
+  Rendered out;
+  const int columns = options.columns.value_or(view.columns), rows = options.rows.value_or(view.rows);
+  const auto build_start = std::chrono::steady_clock::now();
+  const World world = prepare(scene, watch.cancel);
+  const Plan needed = plan(scene, view, options);
+  Job job{{&world, &needed, watch.cancel},
+          Camera(view, columns, rows),
+          {0, 0, columns, rows},
+          options.samples,
+          {}};
+  if (options.region) {
+    const Region& r = *options.region;
+    job.region = {std::clamp(r.x0, 0, columns), std::clamp(r.y0, 0, rows), std::clamp(r.x1, 0, columns),
+                  std::clamp(r.y1, 0, rows)};
+  }
+  if (needed.media && job.camera.has_one_origin()) job.around_eye = solids_around(world, job.camera.eye());
+  out.stats.build_seconds = seconds_since(build_start);
+
+  const auto render_start = std::chrono::steady_clock::now();
+  out.image =
+      image::Image(std::max(0, job.region.x1 - job.region.x0), std::max(0, job.region.y1 - job.region.y0));
+  out.stats.threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+  Tiles tiles(job, watch, out.image);
+  on_threads(out.stats.threads, [&] { tiles.work(out.stats); });
+  out.stats.render_seconds = seconds_since(render_start);
+  out.cancelled = !tiles.finished();
+  return out;
+}
+
+}  // namespace lancer::tracer

@@ -1,0 +1,53 @@
+#pragma once
+// What a surface sends back along a ray: the formula of the language page. The light of other surfaces is
+// left to the caller, as rays with coefficients.
+
+#include <atomic>
+#include <optional>
+
+#include "tracer/intersect.hpp"
+#include "tracer/plan.hpp"
+
+namespace lancer::tracer {
+
+/// The terms of a surface's radiance, joined as the settings say: a + b, or a + b - a b of what is clamped to
+/// [0, 1].
+class Joined {
+ public:
+  explicit Joined(scene::Sum how) : how_(how) {}
+  void add(Color term);
+  Color value() const { return value_; }
+  /// Nothing that comes on top changes the value any more.
+  bool is_full() const;
+
+ private:
+  scene::Sum how_;
+  Color value_;
+};
+
+/// A reflected or transmitted ray and what its radiance counts. Under total reflection the transmitted light
+/// comes from the mirror direction too: then `also` is its coefficient, a term of its own.
+struct Branch {
+  Ray ray;
+  Color share;
+  Color also;
+};
+
+struct Shaded {
+  Joined own;
+  std::optional<Branch> reflected, transmitted;
+};
+
+/// What everything that follows rays through a scene shares.
+struct Tracing {
+  const World* world = nullptr;
+  const Plan* plan = nullptr;
+  const std::atomic<bool>* cancel = nullptr;
+
+  bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
+};
+
+/// The surface at the hit, seen along the ray; its branches only where `follow` is set.
+Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow, Stats& stats);
+
+}  // namespace lancer::tracer

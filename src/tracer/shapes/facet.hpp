@@ -1,0 +1,34 @@
+#pragma once
+// Triangles, alone or of a mesh.
+
+#include <cstdint>
+
+#include "tracer/aabb.hpp"
+
+namespace lancer::tracer {
+
+struct FacetPrimitive {
+  Vec3 a, b, c;            // in the world
+  bool flipped = false;    // a mirroring transform: the outward normal is (c-a) x (b-a)
+  std::uint32_t face = 0;  // of a mesh: which
+  double slack = 0;        // how far rounding may have moved the surface
+};
+
+/// Weights of the three corners; they sum to 1.
+struct Barycentric {
+  double a = 0, b = 0, c = 0;
+};
+
+/// The watertight test of Woop, Benthin and Wald (JCGT 2013), with edge functions of exact sign: a ray at an
+/// edge or corner that facets share hits at least one of them.
+Roots roots(const FacetPrimitive& facet, const Probe& probe);
+Vec3 normal(const FacetPrimitive& facet);
+Vec3 project(const FacetPrimitive& facet, Vec3 p);
+/// Of a point on the facet; within [0, 1].
+Barycentric barycentric(const FacetPrimitive& facet, Vec3 p);
+Aabb bounds(const FacetPrimitive& facet);
+/// The solid angle in full spheres that the facet fills as seen from p, positive where p sees its back: the
+/// sum over a closed mesh is 1 inside and 0 outside (van Oosterom and Strackee 1983).
+double winding(const FacetPrimitive& facet, Vec3 p);
+
+}  // namespace lancer::tracer

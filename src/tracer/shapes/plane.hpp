@@ -1,0 +1,24 @@
+#pragma once
+// Planes: the points x with normal . (x - point) = level. The normal is as written, neither divided by its
+// length nor rounded by that, but for a power of two.
+
+#include "tracer/ray.hpp"
+
+namespace lancer::tracer {
+
+struct PlanePrimitive {
+  Vec3 point;
+  Vec3 normal;              // outward, largest component in [1, 2)
+  double level = 0;         // in units of the normal's length
+  double slack = 0;         // how far rounding may have moved the surface
+  double normal_error = 0;  // relative, of the normal
+};
+
+Roots roots(const PlanePrimitive& plane, const Probe& probe);
+Vec3 normal(const PlanePrimitive& plane);
+/// The point of the plane next to p.
+Vec3 project(const PlanePrimitive& plane, Vec3 p);
+/// < 0 inside, 0 exactly on the surface, > 0 outside, in units of the normal's length.
+double side(const PlanePrimitive& plane, Vec3 p);
+
+}  // namespace lancer::tracer

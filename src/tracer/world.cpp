@@ -1,0 +1,131 @@
+#include "tracer/world.hpp"
+
+#include "tracer/prepare.hpp"
+
+namespace lancer::tracer {
+
+World prepare(const scene::Scene& scene, const std::atomic<bool>* cancel) {
+  World world;
+  world.scene = &scene;
+  for (std::uint32_t shape = 0; shape < scene.shapes.size(); ++shape) {
+    world.first_primitive.push_back(static_cast<std::uint32_t>(world.primitives.size()));
+    add_primitives(world, shape);
+  }
+  world.first_primitive.push_back(static_cast<std::uint32_t>(world.primitives.size()));
+
+  std::vector<Aabb> boxes;
+  for (std::uint32_t primitive = 0; primitive < world.primitives.size(); ++primitive) {
+    if (world.primitives[primitive].kind == Kind::plane) {
+      world.unbounded.push_back(primitive);
+    } else {
+      world.bounded.push_back(primitive);
+      boxes.push_back(bounds(world, primitive));
+    }
+  }
+  for (std::uint32_t shape = 0; shape < scene.shapes.size(); ++shape) {
+    if (scene.shapes[shape].kind != scene::ShapeKind::mesh || !encloses(scene, shape)) continue;
+    SolidMesh mesh{shape, {}};
+    for (std::uint32_t p = world.first_primitive[shape]; p < world.first_primitive[shape + 1]; ++p) {
+      mesh.bounds.add(bounds(world, p));
+    }
+    world.solid_meshes.push_back(mesh);
+  }
+  world.tree = Bvh(boxes, cancel);
+  return world;
+}
+
+bool encloses(const scene::Scene& scene, std::uint32_t shape) {
+  const scene::Shape& s = scene.shapes[shape];
+  if (s.kind == scene::ShapeKind::mesh) return scene.meshes[s.record].solid;
+  return s.kind != scene::ShapeKind::facet;
+}
+
+Roots roots(const World& world, std::uint32_t primitive, const Probe& probe) {
+  const Primitive p = world.primitives[primitive];
+  switch (p.kind) {
+    case Kind::sphere: return roots(world.spheres[p.record], probe);
+    case Kind::ellipsoid: return roots(world.ellipsoids[p.record], probe);
+    case Kind::plane: return roots(world.planes[p.record], probe);
+    case Kind::box: return roots(world.boxes[p.record], probe);
+    case Kind::facet: return roots(world.facets[p.record], probe);
+  }
+  return {};
+}
+
+Root exit(const World& world, std::uint32_t primitive, Vec3 origin, Vec3 direction) {
+  const Primitive p = world.primitives[primitive];
+  switch (p.kind) {
+    case Kind::sphere: return exit(world.spheres[p.record], origin, direction);
+    case Kind::ellipsoid: return exit(world.ellipsoids[p.record], origin, direction);
+    case Kind::box: return exit(world.boxes[p.record], origin, direction);
+    case Kind::plane:
+    case Kind::facet: break;
+  }
+  return {};
+}
+
+Vec3 normal(const World& world, std::uint32_t primitive, Vec3 at, int face) {
+  const Primitive p = world.primitives[primitive];
+  switch (p.kind) {
+    case Kind::sphere: return normal(world.spheres[p.record], at);
+    case Kind::ellipsoid: return normal(world.ellipsoids[p.record], at);
+    case Kind::plane: return normal(world.planes[p.record]);
+    case Kind::box: return normal(world.boxes[p.record], face);
+    case Kind::facet: return normal(world.facets[p.record]);
+  }
+  return {};
+}
+
+Vec3 project(const World& world, std::uint32_t primitive, Vec3 at, int face) {
+  const Primitive p = world.primitives[primitive];
+  switch (p.kind) {
+    case Kind::sphere: return project(world.spheres[p.record], at);
+    case Kind::ellipsoid: return project(world.ellipsoids[p.record], at);
+    case Kind::plane: return project(world.planes[p.record], at);
+    case Kind::box: return project(world.boxes[p.record], at, face);
+    case Kind::facet: return project(world.facets[p.record], at);
+  }
+  return at;
+}
+
+double slack(const World& world, std::uint32_t primitive) {
+  const Primitive p = world.primitives[primitive];
+  switch (p.kind) {
+    case Kind::sphere: return world.spheres[p.record].slack;
+    case Kind::ellipsoid: return world.ellipsoids[p.record].slack;
+    case Kind::plane: return world.planes[p.record].slack;
+    case Kind::box: return world.boxes[p.record].slack;
+    case Kind::facet: return world.facets[p.record].slack;
+  }
+  return 0;
+}
+
+Aabb bounds(const World& world, std::uint32_t primitive) {
+  const Primitive p = world.primitives[primitive];
+  switch (p.kind) {
+    case Kind::sphere: return bounds(world.spheres[p.record]);
+    case Kind::ellipsoid: return bounds(world.ellipsoids[p.record]);
+    case Kind::box: return bounds(world.boxes[p.record]);
+    case Kind::facet: return bounds(world.facets[p.record]);
+    case Kind::plane: break;
+  }
+  return {};
+}
+
+double side(const World& world, std::uint32_t shape, Vec3 at) {
+  const std::uint32_t first = world.first_primitive[shape], last = world.first_primitive[shape + 1];
+  if (first == last) return 1;
+  const Primitive p = world.primitives[first];
+  switch (p.kind) {
+    case Kind::sphere: return side(world.spheres[p.record], at);
+    case Kind::ellipsoid: return side(world.ellipsoids[p.record], at);
+    case Kind::plane: return side(world.planes[p.record], at);
+    case Kind::box: return side(world.boxes[p.record], at);
+    case Kind::facet: break;
+  }
+  double turns = 0;
+  for (std::uint32_t i = first; i < last; ++i) turns += winding(world.facets[world.primitives[i].record], at);
+  return turns > 0.5 ? -1 : 1;
+}
+
+}  // namespace lancer::tracer

@@ -1,0 +1,84 @@
+#pragma once
+// A scene prepared for tracing: every shape as one or more primitives in world space, numbered in the order
+// in which the shapes were added, and the tree over those that have bounds.
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "tracer/bvh.hpp"
+#include "tracer/shapes/box.hpp"
+#include "tracer/shapes/ellipsoid.hpp"
+#include "tracer/shapes/facet.hpp"
+#include "tracer/shapes/plane.hpp"
+#include "tracer/shapes/sphere.hpp"
+
+namespace lancer::tracer {
+
+enum class Kind : std::uint8_t { sphere, ellipsoid, plane, box, facet };
+
+struct Primitive {
+  Kind kind = Kind::sphere;
+  std::uint32_t record = 0;  // in the list of its kind
+  std::uint32_t shape = 0;   // in Scene::shapes
+};
+
+/// A mesh that encloses a volume.
+struct SolidMesh {
+  std::uint32_t shape = 0;
+  Aabb bounds;
+};
+
+struct World {
+  const scene::Scene* scene = nullptr;
+  std::vector<SpherePrimitive> spheres;
+  std::vector<EllipsoidPrimitive> ellipsoids;
+  std::vector<PlanePrimitive> planes;
+  std::vector<BoxPrimitive> boxes;
+  std::vector<FacetPrimitive> facets;
+
+  std::vector<Primitive> primitives;
+  std::vector<std::uint32_t> first_primitive;  // of each shape, and one past the last
+  std::vector<std::uint32_t> unbounded;        // primitives that are in no tree
+  std::vector<std::uint32_t> bounded;          // the primitive of each item of the tree
+  Bvh tree;
+  std::vector<SolidMesh> solid_meshes;
+
+  const scene::Shape& shape_of(std::uint32_t primitive) const {
+    return scene->shapes[primitives[primitive].shape];
+  }
+  const scene::Material& material_of(std::uint32_t shape) const {
+    return scene->materials[scene->shapes[shape].material];
+  }
+};
+
+/// `scene` must outlive the world. Facets without an area are left out. Once `cancel` is set it returns soon,
+/// with an unusable world.
+World prepare(const scene::Scene& scene, const std::atomic<bool>* cancel = nullptr);
+
+/// Does the shape have an inside? All have but facets and open meshes.
+bool encloses(const scene::Scene& scene, std::uint32_t shape);
+
+// --- What every kind of primitive can do; see shapes/
+// --------------------------------------------------------------
+
+Roots roots(const World& world, std::uint32_t primitive, const Probe& probe);
+/// Of a convex solid.
+Root exit(const World& world, std::uint32_t primitive, Vec3 origin, Vec3 direction);
+/// Outward, unit length, at a point on the primitive.
+Vec3 normal(const World& world, std::uint32_t primitive, Vec3 p, int face);
+Vec3 project(const World& world, std::uint32_t primitive, Vec3 p, int face);
+/// How far rounding may have moved the surface from where its shape and transform put it.
+double slack(const World& world, std::uint32_t primitive);
+/// Of all but planes.
+Aabb bounds(const World& world, std::uint32_t primitive);
+
+constexpr bool is_convex_solid(Kind kind) {
+  return kind == Kind::sphere || kind == Kind::ellipsoid || kind == Kind::box;
+}
+
+/// < 0: p lies inside the shape, which encloses something; 0: exactly on its surface; > 0: outside.
+double side(const World& world, std::uint32_t shape, Vec3 p);
+
+}  // namespace lancer::tracer
