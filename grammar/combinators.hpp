@@ -401,6 +401,27 @@ struct recovering {
   }
 };
 
+/// Matches `Rule`, which belongs to a mistake that is reported already: where it throws, the text is skipped in silence.
+template <class Rule>
+struct forgiving {
+  using rule_t = forgiving;
+  using subs_t = p::type_list<Rule>;
+  template <p::apply_mode A, p::rewind_mode M, template <class...> class Action, template <class...> class Control, class Input>
+  static bool match(Input& in, Builder& b) {
+    const char* start = in.current();
+    const Builder::Mark mark = b.mark();
+    try {
+      return match_rule<A, M, Action, Control, Rule>(in, b);
+    } catch (SyntaxError& problem) {
+      if (problem.last) throw;
+      b.reset(mark);
+      const char* target = end_of_mistake(b, problem, start);
+      in.bump(static_cast<std::size_t>(std::max(target, in.current()) - in.current()));
+      return true;
+    }
+  }
+};
+
 }  // namespace lancer::grammar::rules
 
 namespace TAO_PEGTL_NAMESPACE {
@@ -433,5 +454,7 @@ template <class Name, class Rule>
 struct analyze_traits<Name, g::in_any_kind<Rule>> : analyze_seq_traits<Rule> {};
 template <class Name, class Rule>
 struct analyze_traits<Name, g::recovering<Rule>> : analyze_seq_traits<Rule> {};
+template <class Name, class Rule>
+struct analyze_traits<Name, g::forgiving<Rule>> : analyze_seq_traits<Rule> {};
 
 }  // namespace TAO_PEGTL_NAMESPACE

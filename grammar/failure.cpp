@@ -318,20 +318,23 @@ void fail_if_foreign_color(const Builder& b, const char* at, const char* end) {
   }
 }
 
-const char* recover(Builder& b, SyntaxError& problem, const char* start, const Builder::Mark& mark) {
-  b.reset(mark);
-  const Diagnostic& d = problem.diagnostic;
-  const char* failed = b.text().data() + d.span.begin;
+const char* end_of_mistake(Builder& b, const SyntaxError& problem, const char* start) {
   const char* target = nullptr;
   if (problem.resume_here) {
     ++b.assumed_closers;
-    target = b.text().data() + d.labels.front().span.begin;
+    target = b.text().data() + problem.diagnostic.labels.front().span.begin;
   } else {
-    target = next_statement(b.text(), start, failed);
+    target = next_statement(b.text(), start, b.text().data() + problem.diagnostic.span.begin);
   }
   if (target == start) ++target;
-  b.report(std::move(problem.diagnostic));
   b.skipped.push_back(b.span(b.offset(start), b.offset(target)));
+  return target;
+}
+
+const char* recover(Builder& b, SyntaxError& problem, const char* start, const Builder::Mark& mark) {
+  b.reset(mark);
+  const char* target = end_of_mistake(b, problem, start);
+  b.report(std::move(problem.diagnostic));
   if (b.diagnostics.size() >= k_most_errors) throw SyntaxError{std::move(b.diagnostics.back()), false, true};
   return target;
 }

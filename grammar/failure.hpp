@@ -25,6 +25,9 @@ void fail_if_foreign_statement(Builder& b, const char* at, const char* end);
 /// Throws for `rgb <1, 0, 0>` where a comparison could stand: POV-Ray's way to write a colour.
 void fail_if_foreign_color(const Builder& b, const char* at, const char* end);
 
+/// Where to go on after a mistake in what began at `start`.
+const char* end_of_mistake(Builder& b, const SyntaxError& problem, const char* start);
+
 /// Keeps the message, drops what the statement left on the stacks, and says where to go on.
 const char* recover(Builder& b, SyntaxError& problem, const char* start, const Builder::Mark& mark);
 

@@ -190,7 +190,7 @@ struct plain_braces : bracketed<open_brace, p::opt<positional>, p::star<block_it
 struct statement;
 struct checked_statement;
 /// An attribute among the statements of a group.
-struct unknown_in_group : p::seq<p::at<unknown_group_attribute>, unknown_name, p::opt<values>> {};
+struct unknown_in_group : p::seq<p::at<unknown_group_attribute>, unknown_name, forgiving<p::opt<values>>> {};
 struct group_attribute : p::sor<attribute, unknown_in_group> {};
 struct group_item : p::sor<semicolon, recovering<group_attribute>, checked_statement> {};
 struct group_braces : bracketed<open_brace, in_block<p::star<p::not_at<p::one<'}'>>, p::not_at<p::eof>, group_item>>, p::must<close_brace>> {};

@@ -69,16 +69,14 @@ void add_render(CLI::App& app, RenderCommand& command, RenderTexts& texts) {
            "The picture, by its ending .png, .ppm, .pfm or .exr; - writes standard output");
   add_text(app, "--format", texts.format, "F",
            fmt::format("Its format, whatever the ending: {}", image::k_format_names));
-  auto* views = app.add_option("--view", command.views, "Draw this view; may be repeated")
-                    ->type_name("NAME")
-                    ->allow_extra_args(false);
-  app.add_flag("--all-views", command.all_views, "Draw every view")->excludes(views);
+  add_repeated(app, "--view", command.views, "NAME", "Draw this view; may be repeated");
+  app.add_flag("--all-views", command.all_views, "Draw every view");
   add_text(app, "--size", texts.size, "W,H", "The picture's size in pixels, in place of the view's");
   add_text(app, "--samples", texts.samples, "N", "Rays a pixel (16); 1 is the pixel's centre");
   add_text(app, "--threads", texts.threads, "N", "Threads to draw with (0: as many as the machine has)");
   add_text(app, "--region", texts.region, "X0,Y0,X1,Y1", "Only these pixels; X1 and Y1 are excluded");
   add_script_options(app, texts.script);
-  app.add_flag("--stats{text}", texts.stats, "Tell what the drawing took; --stats=json on standard output");
+  app.add_flag("--stats", texts.stats, "Tell what the drawing took; --stats=json on standard output");
   app.add_flag("--quiet", command.quiet, "Say nothing but errors and warnings");
 }
 
@@ -96,6 +94,8 @@ void read_script_options(const ScriptTexts& texts, session::RunOptions& run) {
 
 void read_render_options(const RenderTexts& texts, RenderCommand& command) {
   read_script_options(texts.script, command.run);
+  if (command.all_views && !command.views.empty())
+    throw UsageError("--view and --all-views exclude each other");
   if (!texts.output.empty()) command.output = texts.output;
   if (!texts.size.empty()) read_size(texts.size, command.options);
   if (!texts.region.empty()) command.options.region = read_region(texts.region);
@@ -112,7 +112,7 @@ void read_render_options(const RenderTexts& texts, RenderCommand& command) {
           fmt::format("--format is one of {}; this is `{}`", image::k_format_names, texts.format));
     }
   }
-  if (texts.stats == "text") command.stats = StatsFormat::text;
+  if (texts.stats == "text" || texts.stats == "true") command.stats = StatsFormat::text;  // "true": no value
   if (texts.stats == "json") command.stats = StatsFormat::json;
   if (!texts.stats.empty() && command.stats == StatsFormat::none) {
     throw UsageError(fmt::format("--stats is --stats or --stats=json; this is `--stats={}`", texts.stats));
@@ -143,13 +143,13 @@ std::optional<Answer> parse(CLI::App& app, std::vector<std::string> arguments) {
     app.parse(std::move(arguments));
   } catch (const CLI::CallForHelp&) {
     return Answer{k_fine, app.help()};
-  } catch (const CLI::ExtrasError&) {
-    return wrong(unexpected(app, app.remaining().front()));
-  } catch (const CLI::RequiredError& problem) {
-    return wrong(problem.get_name() == "RequiredError" && app["FILE"]->empty() ? "there is no FILE to work on"
-                                                                               : problem.what());
+  } catch (const CLI::ArgumentMismatch& problem) {
+    const std::string what = problem.what();
+    return wrong(what.substr(0, what.find(':')) + " takes a value");
   } catch (const CLI::ParseError& problem) {
-    return wrong(problem.what());
+    const std::vector<std::string> unknown = app.remaining();
+    if (!unknown.empty()) return wrong(unexpected(app, unknown.front()));
+    return wrong(app["FILE"]->empty() ? "there is no FILE to work on" : problem.what());
   }
   return std::nullopt;
 }
@@ -189,12 +189,12 @@ Command parse_dump(std::vector<std::string> arguments) {
   ScriptTexts texts;
   bool scene = false;
   app.add_option("FILE", command.file, "The script; - reads standard input")->required()->type_name("");
-  auto* ast = app.add_flag("--ast", command.ast, "The script as it was understood");
-  app.add_flag("--scene", scene, "The scene that it makes")->excludes(ast);
+  app.add_flag("--ast", command.ast, "The script as it was understood");
+  app.add_flag("--scene", scene, "The scene that it makes");
   add_script_options(app, texts);
   if (auto answer = parse(app, std::move(arguments))) return *answer;
   read_script_options(texts, command.run);
-  if (!command.ast && !scene) throw UsageError("dump wants --ast or --scene");
+  if (command.ast == scene) throw UsageError("dump takes either --ast or --scene");
   return command;
 }
 
@@ -217,7 +217,8 @@ bool is_command(const std::string& word) {
 
 /// A command with a slip in it rather than the name of a script.
 std::optional<Answer> misspelt_command(const std::string& word) {
-  if (word.empty() || word[0] == '-' || word.find_first_of("./") != std::string::npos) return std::nullopt;
+  if (is_command(word) || word.empty() || word[0] == '-' || word.find_first_of("./") != std::string::npos)
+    return std::nullopt;
   const std::string_view near =
       nearest(word, std::vector<std::string_view>(k_commands.begin(), k_commands.end()));
   std::error_code ignored;

@@ -113,7 +113,7 @@ std::size_t Renderer::find_view(const std::string& name) const {
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const std::string_view near = nearest(name, std::vector<std::string_view>(names.begin(), names.end()));
   throw UsageError(fmt::format("there is no view `{}`{}; the views are `{}`", name,
-                               near.empty() ? "" : fmt::format(", did you mean `{}`?", near),
+                               near.empty() ? "" : fmt::format(" (did you mean `{}`?)", near),
                                fmt::join(names, "`, `")));
 }
 

@@ -16,8 +16,11 @@ double asin_deg(double s);
 double acos_deg(double c);
 /// Exact at 0 and +-1.
 double atan_deg(double t);
-/// In (-180, 180]; exact at multiples of 45. atan2(0, 0) is 0.
+/// In [-180, 180], -180 only where it is the nearest number; exact at multiples of 45. atan2(0, 0) is 0.
 double atan2_deg(double y, double x);
+/// The same angle in the other unit.
+double radians(double degrees);
+double degrees(double radians);
 
 double exp(double x);
 double log(double x);

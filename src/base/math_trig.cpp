@@ -61,6 +61,14 @@ double scaled_product(double value, DoubleDouble factor) {
   return round_once({factor * (value * 0x1p600), -600});
 }
 
+/// value * factor, for any value.
+double product(double value, DoubleDouble factor) {
+  const double size = std::fabs(value);
+  if (size < k_tiny) return scaled_product(value, factor);
+  if (size > 0x1p900) return round_once({factor * (value * 0x1p-600), 600});
+  return (factor * value).hi;
+}
+
 /// The angle in degrees of the point (x, y) in the first quadrant, of a size near 1; y or x may be 0, not
 /// both.
 DoubleDouble first_quadrant(DoubleDouble y, DoubleDouble x) {
@@ -153,5 +161,8 @@ double atan2_deg(double y, double x) {
   if (x == 0) return std::copysign(90.0, y);
   return std::copysign(positive_atan2(std::fabs(y), std::fabs(x), x < 0), y);
 }
+
+double radians(double degrees) { return std::isfinite(degrees) ? product(degrees, k_degree) : degrees; }
+double degrees(double radians) { return std::isfinite(radians) ? product(radians, k_radian) : radians; }
 
 }  // namespace lancer::math

@@ -32,8 +32,8 @@ constexpr std::array<Vec3, 41> k_observer{{
 /// 1 - e^-x for x > 0, without cancellation.
 double one_minus_exp(double x) { return x < 1e-5 ? x - x * x / 2 : 1 - math::exp(-x); }
 
-/// Planck's law at a wavelength in nm, as a share of the radiance at the longest one, which is out of the way of
-/// under- and overflow.
+/// Planck's law at a wavelength in nm, as a share of the radiance at the longest one, which is out of the way
+/// of under- and overflow.
 double relative_radiance(double wavelength, double kelvin) {
   const double x = k_second_radiation / wavelength / kelvin;
   const double x_longest = k_second_radiation / k_longest / kelvin;

@@ -88,7 +88,12 @@ std::vector<Written> BlockReader::written() const {
 }
 
 std::string subject(const Argument& argument) {
-  if (!stands_for_itself(argument)) return fmt::format("a {}'s {}", kind_info(argument.kind).id, argument.id);
+  if (!stands_for_itself(argument)) {
+    const bool is_one_of_many =
+        argument.id == "points" || argument.id == "corners" || argument.id == "normals";
+    return fmt::format("{}a {}'s {}", is_one_of_many ? "each of " : "", kind_info(argument.kind).id,
+                       argument.id);
+  }
   const std::string_view id = argument.id == "color" ? "diffuse" : argument.id;
   const bool is_adjective = id == "diffuse" || id == "ambient" || id == "specular";
   const bool has_vowel = std::string_view("aeiou").find(id[0]) != std::string_view::npos;
@@ -103,6 +108,12 @@ std::string found_text(const Value& value) {
 std::string to_text(Vec3 v) {
   return fmt::format("<{}, {}, {}>", lancer::to_text(v.x), lancer::to_text(v.y), lancer::to_text(v.z));
 }
+
+std::string to_text(Color c) {
+  return c.r == c.g && c.g == c.b ? lancer::to_text(c.r) : to_text(Vec3{c.r, c.g, c.b});
+}
+
+bool has_negative(Color c) { return c.r < 0 || c.g < 0 || c.b < 0; }
 
 void refuse(Code code, const Argument& argument, std::string_view rule, std::string_view found,
             std::string help) {

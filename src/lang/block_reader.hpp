@@ -69,6 +69,9 @@ std::string subject(const Argument& argument);
 std::string found_text(const Value& value);
 /// "<0, 1, 0>".
 std::string to_text(Vec3 v);
+/// The same, or one number for a grey.
+std::string to_text(Color c);
+bool has_negative(Color c);
 
 /// A refusal at the argument: "<subject> <rule>; this one is <found>".
 [[noreturn]] void refuse(Code code, const Argument& argument, std::string_view rule, std::string_view found,

@@ -10,19 +10,12 @@
 namespace lancer::lang {
 namespace {
 
-bool has_negative(Color c) { return c.r < 0 || c.g < 0 || c.b < 0; }
-
-std::string shown(Color c) {
-  if (c.r == c.g && c.g == c.b) return lancer::to_text(c.r);
-  return to_text(Vec3{c.r, c.g, c.b});
-}
-
 void check_pattern(const Argument& argument, const scene::Pattern& pattern) {
   for (const Color c : {pattern.a, pattern.b}) {
     if (!has_negative(c)) continue;
     throw ScriptError(
         Code::negative, argument.span,
-        fmt::format("{} is not negative; this pattern has {} in it", subject(argument), shown(c)));
+        fmt::format("{} is not negative; this pattern has {} in it", subject(argument), to_text(c)));
   }
 }
 
@@ -68,7 +61,7 @@ MaterialData::Coefficient read_coefficient(const Argument& argument) {
         "a colour is rgb(1, 0.5, 0), #ff8000, orange, or 0.8 for a grey; a pattern is checker(white, 0.2)");
   }
   const Color c = read_color(argument);
-  if (has_negative(c)) refuse(Code::negative, argument, "is not negative", shown(c));
+  if (has_negative(c)) refuse(Code::negative, argument, "is not negative", to_text(c));
   return {c, {}};
 }
 

@@ -22,10 +22,15 @@ const ast::Expr* element(const ast::Expr* list, std::size_t i) {
 }
 Span place(const ast::Expr* expr, Span otherwise) { return expr != nullptr ? expr->span : otherwise; }
 
+[[noreturn]] void refuse_list(const Slot& slot, std::string_view wanted, std::string help) {
+  throw ScriptError(Code::wrong_type, slot.span(),
+                    fmt::format("`{}` takes {}; this is {}", slot.id, wanted, found_text(slot.values[0])),
+                    std::move(help));
+}
+
 std::vector<Vec3> read_points(const Slot& slot, Meter& meter) {
   const Value& list = slot.values[0];
-  if (!list.is_list_like())
-    refuse_type(slot.one(), "a list of points", "write [<0, 0, 0>, <1, 0, 0>, <0, 1, 0>]");
+  if (!list.is_list_like()) refuse_list(slot, "a list of points", "write [<0, 0, 0>, <1, 0, 0>, <0, 1, 0>]");
   std::vector<Vec3> out;
   for (std::size_t i = 0; i < list.length(); ++i) {
     meter.charge(1, slot.span());
@@ -78,7 +83,7 @@ Face read_face(const Value& value, const ast::Expr* written, std::size_t points,
 
 std::vector<Face> read_faces(const Slot& slot, std::size_t points, Meter& meter) {
   const Value& list = slot.values[0];
-  if (!list.is_list_like()) refuse_type(slot.one(), "a list of faces", "write [[0, 1, 2], [0, 2, 3]]");
+  if (!list.is_list_like()) refuse_list(slot, "a list of faces", "write [[0, 1, 2], [0, 2, 3]]");
   if (list.length() == 0)
     throw ScriptError(Code::bad_mesh, slot.span(), "a mesh has at least one face; this one has none");
   std::vector<Face> out;

@@ -18,8 +18,7 @@ using ast::Kind;
 
 Color read_light(const Argument& argument) {
   const Color c = read_color(argument);
-  if (c.r < 0 || c.g < 0 || c.b < 0)
-    refuse(Code::negative, argument, "is not negative", to_text(Vec3{c.r, c.g, c.b}));
+  if (has_negative(c)) refuse(Code::negative, argument, "is not negative", to_text(c));
   return c;
 }
 

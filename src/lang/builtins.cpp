@@ -1,8 +1,7 @@
 #include "lang/builtins.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
+#include <fmt/format.h>
 #include <unordered_map>
 #include <vector>
 
@@ -63,8 +62,8 @@ std::string_view flaw(const Value& value) {
   return found;
 }
 
-[[noreturn]] void refuse_result(const BuiltinInfo& info, std::span<const Value> arguments, std::string_view flaw,
-                                const CallContext& context) {
+[[noreturn]] void refuse_result(const BuiltinInfo& info, std::span<const Value> arguments,
+                                std::string_view flaw, const CallContext& context) {
   std::string shown;
   for (const Value& a : arguments) {
     if (!shown.empty()) shown += ", ";
@@ -97,7 +96,8 @@ Value call_builtin(std::uint32_t slot, std::span<const Value> arguments, const C
   const bool too_many = info.max_arguments != k_any_count && given > info.max_arguments;
   if (given < info.min_arguments || too_many) refuse_count(info, given, context.span);
   Value result = info.function(Arguments(info.id, arguments, context));
-  if (const std::string_view wrong = flaw(result); !wrong.empty()) refuse_result(info, arguments, wrong, context);
+  if (const std::string_view wrong = flaw(result); !wrong.empty())
+    refuse_result(info, arguments, wrong, context);
   return result;
 }
 

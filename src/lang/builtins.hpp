@@ -16,8 +16,9 @@ namespace lancer::lang {
 
 /// What a built-in function may ask of the evaluation that calls it.
 struct CallContext {
-  const ast::Call* call;  // for the places of the call and of its arguments; null when a built-in calls a built-in
-  Span span;              // of the whole call
+  const ast::Call*
+      call;   // for the places of the call and of its arguments; null when a built-in calls a built-in
+  Span span;  // of the whole call
   Meter& meter;
   /// Calls any function value with the arguments; errors of a wrong count included.
   const std::function<Value(const Value& function, std::span<const Value> arguments, Span where)>& call_value;
@@ -53,10 +54,11 @@ struct ConstantInfo {
 std::span<const ConstantInfo> all_constants();  // x y z pi tau and the CSS colours
 std::optional<std::uint32_t> find_constant(std::string_view id);
 
-// --- Operations that the evaluator shares with the functions --------------------------------------------------
+// --- Operations that the evaluator shares with the functions
+// --------------------------------------------------
 
-/// a op b on numbers and vectors, component by component; a number spreads over a vector. `%` has the sign of b.
-/// Throws ScriptError(wrong_type or not_finite) at `span`.
+/// a op b on numbers and vectors, component by component; a number spreads over a vector. `%` has the sign of
+/// b. Throws ScriptError(wrong_type or not_finite) at `span`.
 Value arithmetic(ast::BinaryOp op, const Value& a, const Value& b, Span span);
 Value negate(const Value& a, Span span);
 /// Numbers only; exact where the result is.
@@ -69,7 +71,8 @@ bool less(const Value& a, const Value& b, Meter& meter, Span span);
 /// As `print` and interpolation show it. Strings are quoted inside lists only.
 std::string display(const Value& value, Meter& meter, Span span);
 
-/// A colour from a vector of three or a number (grey). Throws ScriptError at `span`; `what` names it: "a colour".
+/// A colour from a vector of three or a number (grey). Throws ScriptError at `span`; `what` names it: "a
+/// colour".
 Color to_color(const Value& value, Span span, std::string_view what);
 
 }  // namespace lancer::lang

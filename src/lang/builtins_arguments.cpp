@@ -16,8 +16,8 @@ std::string found_type(const Value& value) {
 }
 
 void Arguments::wrong_type(std::size_t i, std::string_view wanted, std::string help) const {
-  refuse(Code::wrong_type, i, fmt::format("`{}` wants {} here; this is {}", id_, wanted, found_type(values_[i])),
-         std::move(help));
+  refuse(Code::wrong_type, i,
+         fmt::format("`{}` wants {} here; this is {}", id_, wanted, found_type(values_[i])), std::move(help));
 }
 
 double Arguments::number(std::size_t i) const {
@@ -53,7 +53,8 @@ Vec3 Arguments::vec3(std::size_t i) const {
 
 Vec3 Arguments::direction(std::size_t i, std::string_view what) const {
   const Vec3 v = vec3(i);
-  if (max_abs(v) == 0) refuse(Code::degenerate, i, fmt::format("{} is not zero; this one is <0, 0, 0>", what));
+  if (max_abs(v) == 0)
+    refuse(Code::degenerate, i, fmt::format("{} is not zero; this one is <0, 0, 0>", what));
   return v;
 }
 
@@ -79,9 +80,10 @@ void Arguments::same_dimension(std::size_t i, std::size_t j) const {
   const int a = vector(i).dimension();
   const int b = vector(j).dimension();
   if (a == b) return;
-  refuse(Code::wrong_type, j,
-         fmt::format("the vectors of `{}` are of the same length; this one has {} numbers, the one before it {}", id_, b,
-                     a));
+  refuse(
+      Code::wrong_type, j,
+      fmt::format("the vectors of `{}` are of the same length; this one has {} numbers, the one before it {}",
+                  id_, b, a));
 }
 
 }  // namespace lancer::lang

@@ -1,10 +1,9 @@
 // Chance without hidden state.
 
-#include <fmt/format.h>
-
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <fmt/format.h>
 
 #include "lang/builtins_arguments.hpp"
 #include "lang/builtins_groups.hpp"
@@ -12,8 +11,8 @@
 namespace lancer::lang {
 namespace {
 
-/// A bijection in which each bit of the result depends on each bit of `h`: the finish of MurmurHash3 (A. Appleby)
-/// with the constants of D. Stafford's variant 13, as in splitmix64.
+/// A bijection in which each bit of the result depends on each bit of `h`: the finish of MurmurHash3 (A.
+/// Appleby) with the constants of D. Stafford's variant 13, as in splitmix64.
 std::uint64_t stir(std::uint64_t h) {
   h = (h ^ (h >> 30)) * 0xBF58476D1CE4E5B9;
   h = (h ^ (h >> 27)) * 0x94D049BB133111EB;
@@ -42,7 +41,9 @@ Value not_yet(const Arguments& a) {
 }
 
 constexpr std::array k_table{
-    BuiltinInfo{"rand", "rand(a[, b[, c]])", "a number from 0 up to 1 that looks like chance, always the same for the same arguments", 1, 3, rand_of},
+    BuiltinInfo{"rand", "rand(a[, b[, c]])",
+                "a number from 0 up to 1 that looks like chance, always the same for the same arguments", 1,
+                3, rand_of},
     BuiltinInfo{"noise", "noise(p)", "gradient noise, -1 to 1", 1, 1, not_yet},
     BuiltinInfo{"fbm", "fbm(p, octaves = 4)", "noise of several sizes, summed", 1, 2, not_yet},
 };

@@ -1,10 +1,9 @@
 // Colours, and patterns of them.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
 #include "base/math.hpp"
 #include "base/number.hpp"
@@ -37,7 +36,8 @@ double share(const Arguments& a, std::size_t i, std::string_view what, std::stri
 Value srgb_of(const Arguments& a) {
   const auto decoded = [&](std::size_t i) {
     const bool bytes = a[i].is(Type::number) && a[i].number() > 1 && a[i].number() <= 255;
-    return math::srgb_to_linear(share(a, i, "a component of `srgb`", bytes ? "bytes are written as #ff8800" : ""));
+    return math::srgb_to_linear(
+        share(a, i, "a component of `srgb`", bytes ? "bytes are written as #ff8800" : ""));
   };
   return Color{decoded(0), decoded(1), decoded(2)};
 }
@@ -95,21 +95,27 @@ Value gradient_of(const Arguments& a) {
   p.from = a.vec3(2);
   p.to = a.vec3(3);
   if (p.from == p.to) {
-    a.refuse(Code::degenerate, 3,
-             fmt::format("the two points of a gradient differ; both are {}", display(a[3], a.meter(), a.span(3))));
+    a.refuse(
+        Code::degenerate, 3,
+        fmt::format("the two points of a gradient differ; both are {}", display(a[3], a.meter(), a.span(3))));
   }
   return pattern_value(p);
 }
 
 constexpr std::array k_table{
     BuiltinInfo{"rgb", "rgb(r, g, b)", "a colour in linear light; `rgb(grey)` for a grey", 1, 3, rgb_of},
-    BuiltinInfo{"srgb", "srgb(r, g, b)", "a colour of 0..1 as screens count it, decoded to linear light", 3, 3, srgb_of},
-    BuiltinInfo{"hsv", "hsv(degrees, s, v)", "a colour by hue, saturation and value, decoded to linear light", 3, 3, hsv_of},
-    BuiltinInfo{"kelvin", "kelvin(t)", "the colour of a glowing body, its largest component 1", 1, 1, kelvin_of},
+    BuiltinInfo{"srgb", "srgb(r, g, b)", "a colour of 0..1 as screens count it, decoded to linear light", 3,
+                3, srgb_of},
+    BuiltinInfo{"hsv", "hsv(degrees, s, v)", "a colour by hue, saturation and value, decoded to linear light",
+                3, 3, hsv_of},
+    BuiltinInfo{"kelvin", "kelvin(t)", "the colour of a glowing body, its largest component 1", 1, 1,
+                kelvin_of},
     BuiltinInfo{"luminance", "luminance(c)", "0.2126 r + 0.7152 g + 0.0722 b", 1, 1, luminance_of},
     BuiltinInfo{"checker", "checker(a, b, size = 1)", "a pattern of cubes in two colours", 2, 3, checker_of},
-    BuiltinInfo{"stripes", "stripes(a, b, axis, width = 1)", "a pattern of layers in two colours", 3, 4, stripes_of},
-    BuiltinInfo{"gradient", "gradient(a, b, from, to)", "a pattern from one colour to another", 4, 4, gradient_of},
+    BuiltinInfo{"stripes", "stripes(a, b, axis, width = 1)", "a pattern of layers in two colours", 3, 4,
+                stripes_of},
+    BuiltinInfo{"gradient", "gradient(a, b, from, to)", "a pattern from one colour to another", 4, 4,
+                gradient_of},
 };
 
 }  // namespace

@@ -1,11 +1,10 @@
-// Functions that work component by component: on numbers, and on the numbers in vectors, over which single numbers
-// spread.
-
-#include <fmt/format.h>
+// Functions that work component by component: on numbers, and on the numbers in vectors, over which single
+// numbers spread.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
 #include "base/math.hpp"
 #include "base/number.hpp"
@@ -36,8 +35,8 @@ int common_dimension(const Arguments& a) {
     const int found = a[i].dimension();
     if (dimension != 1 && found != dimension) {
       a.refuse(Code::wrong_type, i,
-               fmt::format("the vectors of `{}` are of the same length; this one has {} numbers, another {}", a.id(),
-                           found, dimension));
+               fmt::format("the vectors of `{}` are of the same length; this one has {} numbers, another {}",
+                           a.id(), found, dimension));
     }
     dimension = found;
   }
@@ -66,7 +65,8 @@ Value of_two(const Arguments& a) {
 
 template <double (*F)(double, double, double)>
 Value of_three(const Arguments& a) {
-  return each_component(a, [&](int i) { return F(component(a[0], i), component(a[1], i), component(a[2], i)); });
+  return each_component(a,
+                        [&](int i) { return F(component(a[0], i), component(a[1], i), component(a[2], i)); });
 }
 
 /// Of one or more, from the first on.
@@ -101,7 +101,8 @@ Value smoothstep(const Arguments& a) {
     const double e0 = component(a[0], i);
     const double e1 = component(a[1], i);
     if (e0 == e1) {
-      a.refuse(Code::bad_argument, 1, fmt::format("the edges of `smoothstep` differ; both are {}", to_text(e0)),
+      a.refuse(Code::bad_argument, 1,
+               fmt::format("the edges of `smoothstep` differ; both are {}", to_text(e0)),
                "a sharp edge is `step(edge, v)`");
     }
     const double t = clamp((component(a[2], i) - e0) / (e1 - e0), 0, 1);
@@ -129,16 +130,19 @@ constexpr std::array k_table{
     BuiltinInfo{"asin", "asin(v)", "the angle of a sine, -90 to 90", 1, 1, of_one<math::asin_deg>},
     BuiltinInfo{"acos", "acos(v)", "the angle of a cosine, 0 to 180", 1, 1, of_one<math::acos_deg>},
     BuiltinInfo{"atan", "atan(v)", "the angle of a tangent, -90 to 90", 1, 1, of_one<math::atan_deg>},
-    BuiltinInfo{"atan2", "atan2(y, x)", "the angle of the point (x, y), -180 to 180", 2, 2, of_two<math::atan2_deg>},
+    BuiltinInfo{"atan2", "atan2(y, x)", "the angle of the point (x, y), -180 to 180", 2, 2,
+                of_two<math::atan2_deg>},
     BuiltinInfo{"radians", "radians(degrees)", "an angle in radians", 1, 1, of_one<math::radians>},
     BuiltinInfo{"degrees", "degrees(radians)", "an angle in degrees", 1, 1, of_one<math::degrees>},
     BuiltinInfo{"mod", "mod(a, b)", "the rest of a / b, of the sign of b", 2, 2, of_two<modulo>},
     BuiltinInfo{"min", "min(a, ...)", "the smallest", 1, k_any_count, of_many<smaller>},
     BuiltinInfo{"max", "max(a, ...)", "the largest", 1, k_any_count, of_many<larger>},
-    BuiltinInfo{"clamp", "clamp(v, lo, hi)", "v, but no less than lo and no more than hi", 3, 3, of_three<clamp>},
+    BuiltinInfo{"clamp", "clamp(v, lo, hi)", "v, but no less than lo and no more than hi", 3, 3,
+                of_three<clamp>},
     BuiltinInfo{"mix", "mix(a, b, t)", "a at t = 0, b at t = 1, in a straight line", 3, 3, of_three<mix>},
     BuiltinInfo{"step", "step(edge, v)", "0 where v < edge, else 1", 2, 2, of_two<step>},
-    BuiltinInfo{"smoothstep", "smoothstep(e0, e1, v)", "0 up to e0, 1 from e1 on, smooth between", 3, 3, smoothstep},
+    BuiltinInfo{"smoothstep", "smoothstep(e0, e1, v)", "0 up to e0, 1 from e1 on, smooth between", 3, 3,
+                smoothstep},
 };
 
 }  // namespace

@@ -13,24 +13,30 @@ namespace {
 
 constexpr std::size_t k_stack_to_spare = 256 * 1024;
 
-bool same(const scene::Sphere& a, const scene::Sphere& b) { return a.center == b.center && a.radius == b.radius; }
+bool same(const scene::Sphere& a, const scene::Sphere& b) {
+  return a.center == b.center && a.radius == b.radius;
+}
 bool same(const scene::Plane& a, const scene::Plane& b) {
   return a.point == b.point && a.normal == b.normal && a.offset == b.offset;
 }
-bool same(const BoxRecord& a, const BoxRecord& b) { return a.lo == b.lo && a.hi == b.hi && a.frame == b.frame; }
+bool same(const BoxRecord& a, const BoxRecord& b) {
+  return a.lo == b.lo && a.hi == b.hi && a.frame == b.frame;
+}
 bool same(const FacetRecord& a, const FacetRecord& b) {
   return a.a == b.a && a.b == b.b && a.c == b.c && a.normals == b.normals;
 }
 bool same(const std::shared_ptr<const scene::Mesh>& a, const std::shared_ptr<const scene::Mesh>& b) {
-  return a == b || (a->points == b->points && a->faces == b->faces && a->normals == b->normals && a->solid == b->solid);
+  return a == b ||
+         (a->points == b->points && a->faces == b->faces && a->normals == b->normals && a->solid == b->solid);
 }
 bool same(const scene::Light& a, const scene::Light& b) {
   return a.kind == b.kind && a.at == b.at && a.direction == b.direction && a.color == b.color &&
          a.falloff == b.falloff && a.angle == b.angle && a.softness == b.softness;
 }
 bool same(const scene::View& a, const scene::View& b) {
-  return a.projection == b.projection && a.eye == b.eye && a.look == b.look && a.up == b.up && a.fov == b.fov &&
-         a.width == b.width && a.corners == b.corners && a.columns == b.columns && a.rows == b.rows;
+  return a.projection == b.projection && a.eye == b.eye && a.look == b.look && a.up == b.up &&
+         a.fov == b.fov && a.width == b.width && a.corners == b.corners && a.columns == b.columns &&
+         a.rows == b.rows;
 }
 bool same(std::monostate, std::monostate) { return true; }
 
@@ -102,13 +108,14 @@ class Comparison {
     };
     return &a == &b || (same_look(a.ambient, b.ambient) && same_look(a.diffuse, b.diffuse) &&
                         same_look(a.specular, b.specular) && same_look(a.reflection, b.reflection) &&
-                        same_look(a.transmission, b.transmission) && a.shininess == b.shininess && a.ior == b.ior &&
-                        a.fresnel == b.fresnel);
+                        same_look(a.transmission, b.transmission) && a.shininess == b.shininess &&
+                        a.ior == b.ior && a.fresnel == b.fresnel);
   }
 
   static bool equal_records(const Record& a, const Record& b) {
     if (a.index() != b.index()) return false;
-    return std::visit([&](const auto& left) { return same(left, std::get<std::decay_t<decltype(left)>>(b)); }, a);
+    return std::visit([&](const auto& left) { return same(left, std::get<std::decay_t<decltype(left)>>(b)); },
+                      a);
   }
 
   bool equal_objects(const Object& a, const Object& b) {
@@ -116,8 +123,8 @@ class Comparison {
     const bool dressed = static_cast<bool>(a.material) == static_cast<bool>(b.material) &&
                          (!a.material || equal_materials(*a.material, *b.material));
     charge(elements(a.record));
-    if (a.kind != b.kind || a.name != b.name || a.shadow != b.shadow || a.transform != b.transform || !dressed ||
-        a.members.size() != b.members.size() || !equal_records(a.record, b.record)) {
+    if (a.kind != b.kind || a.name != b.name || a.shadow != b.shadow || a.transform != b.transform ||
+        !dressed || a.members.size() != b.members.size() || !equal_records(a.record, b.record)) {
       return false;
     }
     check_depth();
@@ -134,6 +141,8 @@ class Comparison {
 
 }  // namespace
 
-bool equal(const Value& a, const Value& b, Meter& meter, Span span) { return Comparison(meter, span).equal(a, b); }
+bool equal(const Value& a, const Value& b, Meter& meter, Span span) {
+  return Comparison(meter, span).equal(a, b);
+}
 
 }  // namespace lancer::lang

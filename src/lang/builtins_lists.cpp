@@ -1,10 +1,9 @@
 // Functions of lists. A range serves as a list wherever one is only read.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <functional>
 
 #include "base/number.hpp"
@@ -75,7 +74,8 @@ bool answer(const Arguments& a, std::size_t function, std::span<const Value> arg
   const Value result = a.call(function, arguments);
   if (result.is(Type::boolean)) return result.boolean();
   a.refuse(Code::wrong_type, function,
-           fmt::format("the function of `{}` returns true or false; this one returned {}", a.id(), with_article(result)));
+           fmt::format("the function of `{}` returns true or false; this one returned {}", a.id(),
+                       with_article(result)));
 }
 
 Value filter_of(const Arguments& a) {
@@ -152,9 +152,12 @@ Value reverse_of(const Arguments& a) {
 
 /// How many of first, first + step, first + 2 step, ... come before `end`.
 double count_steps(double first, double end, double step) {
-  const auto comes_before = [&](double k) { return step > 0 ? first + k * step < end : first + k * step > end; };
+  const auto comes_before = [&](double k) {
+    return step > 0 ? first + k * step < end : first + k * step > end;
+  };
   double count = std::max(std::ceil((end - first) / step), 0.0);
-  while (count > 0 && !comes_before(count - 1)) count -= 1;  // at most once or twice: the division was rounded
+  while (count > 0 && !comes_before(count - 1))
+    count -= 1;  // at most once or twice: the division was rounded
   return count;
 }
 
@@ -167,8 +170,9 @@ Value range_of(const Arguments& a) {
   }
   const double count = count_steps(first, end, step);
   if (!(count < 0x1p32)) {
-    throw ScriptError(Code::bad_argument, a.context().span,
-                      fmt::format("a list has fewer than 2^32 elements; this one would have {}", to_text(count)));
+    throw ScriptError(
+        Code::bad_argument, a.context().span,
+        fmt::format("a list has fewer than 2^32 elements; this one would have {}", to_text(count)));
   }
   const auto length = static_cast<std::size_t>(count);
   a.charge(length);
@@ -190,15 +194,19 @@ Value zip_of(const Arguments& a) {
 }
 
 constexpr std::array k_table{
-    BuiltinInfo{"len", "len(v)", "the number of elements, of characters of a string, of members of a group", 1, 1, len_of},
+    BuiltinInfo{"len", "len(v)", "the number of elements, of characters of a string, of members of a group",
+                1, 1, len_of},
     BuiltinInfo{"push", "push(list, v)", "a new list with v at its end", 2, 2, push_of},
-    BuiltinInfo{"concat", "concat(a, b, ...)", "one list of the elements of several", 1, k_any_count, concat_of},
+    BuiltinInfo{"concat", "concat(a, b, ...)", "one list of the elements of several", 1, k_any_count,
+                concat_of},
     BuiltinInfo{"map", "map(list, f)", "the list of f(v) for each element v", 2, 2, map_of},
     BuiltinInfo{"filter", "filter(list, f)", "the elements for which f(v) is true", 2, 2, filter_of},
     BuiltinInfo{"fold", "fold(list, start, f)", "f(f(f(start, v0), v1), v2) and so on", 3, 3, fold_of},
-    BuiltinInfo{"sort", "sort(list[, f])", "the elements in order; f(a, b) says whether a comes first", 1, 2, sort_of},
+    BuiltinInfo{"sort", "sort(list[, f])", "the elements in order; f(a, b) says whether a comes first", 1, 2,
+                sort_of},
     BuiltinInfo{"reverse", "reverse(list)", "the elements from the last to the first", 1, 1, reverse_of},
-    BuiltinInfo{"range", "range(a, b, step)", "a list of numbers from a up to but without b; `range(n)` from 0", 1, 3, range_of},
+    BuiltinInfo{"range", "range(a, b, step)",
+                "a list of numbers from a up to but without b; `range(n)` from 0", 1, 3, range_of},
     BuiltinInfo{"zip", "zip(a, b)", "the list of pairs, as long as the shorter list", 2, 2, zip_of},
 };
 

@@ -1,9 +1,8 @@
 // The operators on values.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 #include "base/math.hpp"
 #include "lang/builtins.hpp"
@@ -57,8 +56,8 @@ std::string short_text(const Value& v) {
 [[noreturn]] void refuse_operands(BinaryOp op, const Value& a, const Value& b, Span span) {
   if (a.is(Type::vector) && b.is(Type::vector)) {
     throw ScriptError(Code::wrong_type, span,
-                      fmt::format("`{}` wants vectors of the same length; these have {} and {} numbers", symbol(op),
-                                  a.dimension(), b.dimension()));
+                      fmt::format("`{}` wants vectors of the same length; these have {} and {} numbers",
+                                  symbol(op), a.dimension(), b.dimension()));
   }
   std::string help;
   if (op == BinaryOp::add && (a.is(Type::string) || b.is(Type::string))) {
@@ -67,8 +66,8 @@ std::string short_text(const Value& v) {
     help = "lists are joined by `concat(a, b)`";
   }
   throw ScriptError(Code::wrong_type, span,
-                    fmt::format("`{}` wants numbers or vectors; here it has {} and {}", symbol(op), with_article(a),
-                                with_article(b)),
+                    fmt::format("`{}` wants numbers or vectors; here it has {} and {}", symbol(op),
+                                with_article(a), with_article(b)),
                     std::move(help));
 }
 
@@ -101,17 +100,18 @@ Value arithmetic(BinaryOp op, const Value& a, const Value& b, Span span) {
 Value negate(const Value& a, Span span) {
   if (a.is(Type::number)) return -a.number();
   if (!a.is(Type::vector)) {
-    throw ScriptError(Code::wrong_type, span, fmt::format("`-` wants a number or a vector; this is {}", with_article(a)));
+    throw ScriptError(Code::wrong_type, span,
+                      fmt::format("`-` wants a number or a vector; this is {}", with_article(a)));
   }
   return a.dimension() == 2 ? Value(-a.component(0), -a.component(1)) : Value(-a.vec3());
 }
 
 Value power(const Value& base, const Value& exponent, Span span) {
   if (!base.is(Type::number) || !exponent.is(Type::number)) {
-    throw ScriptError(
-        Code::wrong_type, span,
-        fmt::format("`^` wants two numbers; here it has {} and {}", with_article(base), with_article(exponent)),
-        base.is(Type::vector) ? "`dot(v, v)` is the square of a vector's length" : "");
+    throw ScriptError(Code::wrong_type, span,
+                      fmt::format("`^` wants two numbers; here it has {} and {}", with_article(base),
+                                  with_article(exponent)),
+                      base.is(Type::vector) ? "`dot(v, v)` is the square of a vector's length" : "");
   }
   const double result = math::pow(base.number(), exponent.number());
   if (std::isfinite(result)) return result;
@@ -124,10 +124,11 @@ bool less(const Value& a, const Value& b, Meter& meter, Span span) {
     meter.charge(std::min(a.text().size(), b.text().size()) / 64, span);
     return a.text() < b.text();  // bytes of UTF-8 stand in the order of the code points
   }
-  throw ScriptError(Code::wrong_type, span,
-                    fmt::format("the order is that of two numbers or two strings; these are {} and {}", with_article(a),
-                                with_article(b)),
-                    a.is(Type::vector) && b.is(Type::vector) ? "vectors are compared by `length(..)` or a component" : "");
+  throw ScriptError(
+      Code::wrong_type, span,
+      fmt::format("the order is that of two numbers or two strings; these are {} and {}", with_article(a),
+                  with_article(b)),
+      a.is(Type::vector) && b.is(Type::vector) ? "vectors are compared by `length(..)` or a component" : "");
 }
 
 Color to_color(const Value& value, Span span, std::string_view what) {
@@ -135,8 +136,9 @@ Color to_color(const Value& value, Span span, std::string_view what) {
   if (value.is(Type::vector) && value.dimension() == 3) {
     return {value.component(0), value.component(1), value.component(2)};
   }
-  throw ScriptError(Code::wrong_type, span,
-                    fmt::format("{} is three numbers, or one for a grey; this is {}", what, found_type(value)));
+  throw ScriptError(
+      Code::wrong_type, span,
+      fmt::format("{} is three numbers, or one for a grey; this is {}", what, found_type(value)));
 }
 
 }  // namespace lancer::lang

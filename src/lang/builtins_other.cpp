@@ -10,8 +10,9 @@ namespace {
 
 void refuse_where_pure(const Arguments& a) {
   if (!a.context().pure) return;
-  throw ScriptError(Code::misplaced, a.context().span,
-                    "a pattern function only works out a colour; here it calls `" + std::string(a.id()) + "`");
+  throw ScriptError(
+      Code::misplaced, a.context().span,
+      "a pattern function only works out a colour; here it calls `" + std::string(a.id()) + "`");
 }
 
 Value print_of(const Arguments& a) {
@@ -39,9 +40,12 @@ Value assert_of(const Arguments& a) {
 Value type_of(const Arguments& a) { return Value(std::string(type_name(a[0]))); }
 
 constexpr std::array k_table{
-    BuiltinInfo{"print", "print(...)", "writes the values, a space between them, and a newline", 0, k_any_count, print_of},
-    BuiltinInfo{"assert", "assert(cond, message = \"\")", "stops the script where cond is false", 1, 2, assert_of},
-    BuiltinInfo{"type_of", "type_of(v)", "\"number\", \"list\", ..., or the kind of an object", 1, 1, type_of},
+    BuiltinInfo{"print", "print(...)", "writes the values, a space between them, and a newline", 0,
+                k_any_count, print_of},
+    BuiltinInfo{"assert", "assert(cond, message = \"\")", "stops the script where cond is false", 1, 2,
+                assert_of},
+    BuiltinInfo{"type_of", "type_of(v)", "\"number\", \"list\", ..., or the kind of an object", 1, 1,
+                type_of},
 };
 
 }  // namespace

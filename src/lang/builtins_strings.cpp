@@ -1,10 +1,9 @@
 // Functions of strings.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
 #include "base/number.hpp"
 #include "lang/builtins_arguments.hpp"
@@ -67,7 +66,8 @@ Value format_of(const Arguments& a) {
   const double digits = a.number(1);
   if (digits != std::floor(digits) || digits < 0 || digits > 100) {
     a.refuse(Code::out_of_range, 1,
-             fmt::format("the digits behind the point are a whole number from 0 to 100; this one is {}", to_text(digits)));
+             fmt::format("the digits behind the point are a whole number from 0 to 100; this one is {}",
+                         to_text(digits)));
   }
   const auto fixed = [&](int i) { return to_fixed(v.component(i), static_cast<int>(digits)); };
   a.charge(8);
@@ -78,8 +78,10 @@ Value format_of(const Arguments& a) {
 constexpr std::array k_table{
     BuiltinInfo{"str", "str(v)", "any value as `print` shows it", 1, 1, str_of},
     BuiltinInfo{"join", "join(list, sep)", "the elements in one string, sep between them", 2, 2, join_of},
-    BuiltinInfo{"split", "split(s, sep)", "the parts of a string between each sep; its characters where sep is \"\"", 2, 2, split_of},
-    BuiltinInfo{"format", "format(v, digits)", "a number with so many digits behind the point", 2, 2, format_of},
+    BuiltinInfo{"split", "split(s, sep)",
+                "the parts of a string between each sep; its characters where sep is \"\"", 2, 2, split_of},
+    BuiltinInfo{"format", "format(v, digits)", "a number with so many digits behind the point", 2, 2,
+                format_of},
 };
 
 }  // namespace

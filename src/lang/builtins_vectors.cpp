@@ -63,12 +63,13 @@ constexpr std::array k_table{
     BuiltinInfo{"dot", "dot(a, b)", "the scalar product", 2, 2, dot_of},
     BuiltinInfo{"cross", "cross(a, b)", "the vector product", 2, 2, cross_of},
     BuiltinInfo{"length", "length(v)", "the length of a vector", 1, 1, length_of},
-    BuiltinInfo{"normalize", "normalize(v)", "the vector of length 1 in the same direction", 1, 1, normalize_of},
+    BuiltinInfo{"normalize", "normalize(v)", "the vector of length 1 in the same direction", 1, 1,
+                normalize_of},
     BuiltinInfo{"distance", "distance(a, b)", "the distance of two points", 2, 2, distance_of},
     BuiltinInfo{"hypot", "hypot(a, b[, c])", "the square root of the sum of the squares", 2, 3, hypot_of},
     BuiltinInfo{"reflect", "reflect(v, n)", "v mirrored at the plane with the normal n", 2, 2, reflect_of},
-    BuiltinInfo{"rotate_about", "rotate_about(v, axis, angle)", "v turned about an axis by an angle in degrees", 3, 3,
-                rotate_about_of},
+    BuiltinInfo{"rotate_about", "rotate_about(v, axis, angle)",
+                "v turned about an axis by an angle in degrees", 3, 3, rotate_about_of},
 };
 
 }  // namespace

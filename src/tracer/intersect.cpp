@@ -1,6 +1,7 @@
 #include "tracer/intersect.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace lancer::tracer {
 namespace {
@@ -20,8 +21,8 @@ class Candidates {
   const double& limit() const { return limit_; }
 
   void add(std::uint32_t primitive, const Root& root, double box_enter) {
-    const double at_least = std::fmax(root.t - root.error, box_enter);
-    const double at_most = std::fmax(root.t + root.error, box_enter);
+    const double at_least = std::fmax(root.low, box_enter);
+    const double at_most = std::fmax(root.high, box_enter);
     if (at_least > limit_) return;
     limit_ = std::fmin(limit_, at_most);
     if (list_.size() >= k_tidy) tidy();
@@ -60,11 +61,13 @@ Candidates search(const World& world, const Ray& ray, Stats& stats) {
     ++stats.shape_tests;
     const Roots found = roots(world, primitive, probe);
     for (int i = 0; i < found.count; ++i) {
-      const Root& root = found.root[i];
-      if (!(root.t > 0) || is_echo(ray, world.primitives[primitive], root)) continue;
-      if (root.t - root.error > candidates.limit()) break;
+      if (!(found.root[i].t > 0)) continue;
+      if (found.root[i].low > candidates.limit()) break;
       const Interval own = own_interval(world, primitive, probe);
-      if (own.enter <= own.leave) candidates.add(primitive, root, own.enter);
+      if (!(own.enter <= own.leave)) break;
+      const Root root = within(found.root[i], own);
+      if (is_echo(ray, world.primitives[primitive], root)) continue;
+      candidates.add(primitive, root, own.enter);
       break;
     }
     return false;
@@ -79,7 +82,7 @@ Candidates search(const World& world, const Ray& ray, Stats& stats) {
 /// Is the ray inside the shape, as far as it knows?
 bool starts_inside(const Ray& ray, std::uint32_t shape) {
   for (const Contact& contact : ray.contacts) {
-    if (contact.shape == shape) return contact.inside;
+    if (contact.shape == shape) return contact.in_shape;
   }
   return std::find(ray.open.begin(), ray.open.end(), shape) != ray.open.end();
 }
@@ -115,9 +118,9 @@ void collect_contacts(const World& world, const Ray& ray, const Candidates& cand
     const std::uint32_t shape = world.primitives[c.primitive].shape;
     const bool mixed =
         world.primitives[c.primitive].kind == Kind::facet && is_mixed(world, candidates, shape);
-    const bool inside = mixed ? starts_inside(ray, shape) : !c.root.entering;
-    hit.contacts.push_back(
-        {c.primitive, shape, c.root.face, inside, false, normal(world, c.primitive, hit.point, c.root.face)});
+    const bool in_shape = mixed ? starts_inside(ray, shape) : !c.root.entering;
+    hit.contacts.push_back({c.primitive, shape, c.root.face, !c.root.entering, in_shape, false,
+                            normal(world, c.primitive, hit.point, c.root.face)});
   }
   // The order in which the search found them must not show.
   std::sort(hit.contacts.begin(), hit.contacts.end(),
@@ -140,13 +143,17 @@ bool falls_away(const World& world, const Contact& contact, Vec3 point, Vec3 awa
   return dot(away, (f.a - point) + (f.b - point) + (f.c - point)) <= 0;
 }
 
-/// The first of the surfaces that the ray crosses right where it starts.
+/// The first of the surfaces that the ray crosses right where it starts; of a mesh, one that fits the ray's
+/// side of it.
 const Contact* met_at_start(const World& world, const Ray& ray) {
   const Contact* best = nullptr;
+  const auto rank = [](const Contact& c) {
+    return std::make_tuple(c.shape, c.inside != c.in_shape, c.primitive);
+  };
   for (const Contact& contact : ray.contacts) {
     const Kind kind = world.primitives[contact.primitive].kind;
     if (at_start(contact, kind, ray.direction) != AtStart::meets) continue;
-    if (!best || contact.primitive < best->primitive) best = &contact;
+    if (!best || rank(contact) < rank(*best)) best = &contact;
   }
   return best;
 }
@@ -163,7 +170,7 @@ bool is_echo(const Ray& ray, const Primitive& primitive, const Root& root) {
   if (primitive.kind != Kind::facet || ray.contacts.empty()) return false;
   if (root.t > root.error + ray.origin_error) return false;
   for (const Contact& contact : ray.contacts) {
-    if (contact.shape == primitive.shape) return root.entering == contact.inside;
+    if (contact.shape == primitive.shape) return root.entering == contact.in_shape;
   }
   return false;
 }
@@ -173,7 +180,8 @@ bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
   if (const Contact* const contact = met_at_start(world, ray)) {
     hit.primitive = contact->primitive;
     hit.shape = contact->shape;
-    hit.root = {0, ray.origin_error, !contact->inside, contact->face};
+    hit.root = plain_root(0, ray.origin_error, !contact->inside);
+    hit.root.face = contact->face;
     hit.point = ray.origin;
     hit.point_error = ray.origin_error;
     hit.normal = contact->normal;
@@ -200,7 +208,14 @@ Ray ray_from(const World& world, const Hit& hit, Vec3 direction) {
   const bool turns_back = inside != hit.root.entering;
   const Vec3 away = inside ? -hit.normal : hit.normal;
   for (Contact& contact : ray.contacts) {
-    if (contact.shape == hit.shape) contact.inside = inside;
+    if (contact.shape == hit.shape) {
+      // The other facets of a mesh that the ray crosses here in the same way are crossed with this one.
+      if (contact.primitive == hit.primitive ||
+          (!turns_back && (dot(contact.normal, direction) < 0) == inside)) {
+        contact.inside = inside;
+      }
+      contact.in_shape = inside;
+    }
     if (contact.primitive == hit.primitive || (turns_back && falls_away(world, contact, hit.point, away))) {
       contact.left = true;
     }

@@ -68,6 +68,16 @@ inline Interval own_interval(const World& world, std::uint32_t primitive, const 
   return interval(bounds(world, primitive), probe);
 }
 
+/// What is known of a root, and of where the primitive as a whole lies on the ray.
+inline Root within(Root root, const Interval& own) {
+  const double enter = own.enter * (1 - 2 * gamma(3));  // as in interval(), for the near side
+  if (root.t < enter || root.t > own.leave) root.t = root.t < enter ? enter : own.leave;
+  root.low = std::fmax(root.low, enter);
+  root.high = std::fmin(root.high, own.leave);
+  root.error = std::fmin(root.error, own.leave - enter);
+  return root;
+}
+
 template <class Visit>
 bool crossings(const World& world, const Ray& ray, double distance, Stats& stats, Visit visit) {
   const auto before_end = [distance](const Root& root) { return root.t + root.error < distance; };
@@ -77,7 +87,8 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
     if (start == AtStart::nothing) continue;
     const bool enters = start == AtStart::meets && !contact.inside;
     if (start == AtStart::meets) {
-      const Root root{0, ray.origin_error, enters, contact.face};
+      Root root = plain_root(0, ray.origin_error, enters);
+      root.face = contact.face;
       if (before_end(root) && visit(Crossing{contact.primitive, contact.shape, root})) return true;
     }
     if (is_convex_solid(kind) && (enters || start == AtStart::passes_through)) {
@@ -91,10 +102,11 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
     ++stats.shape_tests;
     const Roots found = roots(world, primitive, probe);
     for (int i = 0; i < found.count; ++i) {
-      const Root& root = found.root[i];
-      if (!(root.t > 0) || !before_end(root) || is_echo(ray, world.primitives[primitive], root)) continue;
+      if (!(found.root[i].t > 0)) continue;
       const Interval own = own_interval(world, primitive, probe);
-      if (!(own.enter <= own.leave) || !(own.enter <= distance)) continue;
+      if (!(own.enter <= own.leave) || !(own.enter <= distance)) return false;
+      const Root root = within(found.root[i], own);
+      if (!before_end(root) || is_echo(ray, world.primitives[primitive], root)) continue;
       if (visit(Crossing{primitive, world.primitives[primitive].shape, root})) return true;
     }
     return false;

@@ -9,11 +9,6 @@ Color Tracer::radiance(Ray ray, int depth) {
                                                                    : log(std::move(ray), depth);
 }
 
-void Tracer::count(const Shaded& shaded) {
-  stats_.reflected_rays += shaded.reflected ? 1 : 0;
-  stats_.refracted_rays += shaded.transmitted ? 1 : 0;
-}
-
 Color Tracer::linear(Ray first, int depth) {
   const scene::Settings& settings = tracing_.world->scene->settings;
   Color sum;
@@ -28,15 +23,16 @@ Color Tracer::linear(Ray first, int depth) {
       continue;
     }
     Shaded shaded = shade(tracing_, now.ray, hit, now.depth > 0, stats_);
-    count(shaded);
     sum += now.share * shaded.own.value();
-    const auto follow = [&](std::optional<Branch>& branch) {
+    const auto follow = [&](std::optional<Branch>& branch, std::uint64_t& count) {
       if (!branch) return;
       const Color share = now.share * (branch->share + branch->also);
-      if (!is_black(share)) pending_.push_back({std::move(branch->ray), share, now.depth - 1});
+      if (is_black(share)) return;
+      ++count;
+      pending_.push_back({std::move(branch->ray), share, now.depth - 1});
     };
-    follow(shaded.reflected);
-    follow(shaded.transmitted);
+    follow(shaded.reflected, stats_.reflected_rays);
+    follow(shaded.transmitted, stats_.refracted_rays);
   }
   return sum;
 }
@@ -53,7 +49,8 @@ Color Tracer::log(Ray ray, int depth) {
       Shaded shaded = shade(tracing_, ray, hit, depth > 0, stats_);
       value = shaded.own.value();
       if (!shaded.own.is_full() && (shaded.reflected || shaded.transmitted)) {
-        count(shaded);
+        stats_.reflected_rays += shaded.reflected ? 1 : 0;
+        stats_.refracted_rays += shaded.transmitted ? 1 : 0;
         const bool both = shaded.reflected && shaded.transmitted;
         Branch first = std::move(shaded.reflected ? *shaded.reflected : *shaded.transmitted);
         if (both) later_.push_back(std::move(*shaded.transmitted));

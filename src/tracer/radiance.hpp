@@ -35,7 +35,6 @@ class Tracer {
 
   Color linear(Ray ray, int depth);
   Color log(Ray ray, int depth);
-  void count(const Shaded& shaded);
 
   Tracing tracing_;
   Stats stats_;

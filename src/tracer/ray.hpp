@@ -16,6 +16,7 @@ struct Contact {
   std::uint32_t shape = 0;
   std::uint8_t face = 0;  // of a box
   bool inside = false;    // the ray starts on the side that the normal points away from
+  bool in_shape = false;  // the ray starts inside the shape; for all but facets of a mesh the same
   bool left = false;      // the surface that this ray leaves, which it never meets here
   Vec3 normal;            // outward, unit length, at the start
 };
@@ -38,7 +39,7 @@ struct Probe {
   Vec3 inverse;  // 1 / direction, infinite where a component is 0
   int kx = 0, ky = 1,
       kz = 2;  // kz: the largest component; kx and ky keep the winding (Woop, Benthin, Wald 2013)
-  double shear_x = 0, shear_y = 0, shear_z = 1;
+  double shear_x = 0, shear_y = 0;
 
   Probe(Vec3 origin_in, Vec3 direction_in) : origin(origin_in), direction(direction_in) {
     inverse = {1 / direction.x, 1 / direction.y, 1 / direction.z};
@@ -51,7 +52,6 @@ struct Probe {
       kx = ky;
       ky = swap;
     }
-    shear_z = 1 / direction[kz];
     shear_x = direction[kx] / direction[kz];
     shear_y = direction[ky] / direction[kz];
   }
@@ -61,10 +61,18 @@ struct Probe {
 /// Where the line of a ray crosses a surface.
 struct Root {
   double t = 0;      // along the ray; may be negative
-  double error = 0;  // |t - the true one| is at most this, the rounding of the shape's own numbers included
+  double error = 0;  // how far, at most, t is off for rounding and for the slack of the surface
+  // The true crossing lies within [low, high], whatever the rounding of the shape's own numbers did to its
+  // slope too. For a ray that all but lies in a surface this is far wider than the error.
+  double low = 0, high = 0;
   bool entering = true;
   std::uint8_t face = 0;  // of a box: 2 axis, + 1 for the upper side
 };
+
+/// A root whose slope is not in doubt.
+inline Root plain_root(double t, double error, bool entering) {
+  return {t, error, t - error, t + error, entering, 0};
+}
 
 /// None, one or two crossings in ascending order of t.
 struct Roots {

@@ -88,8 +88,9 @@ TEST_CASE("every sample gives the picture that it gave before", "[samples]") {
     REQUIRE(run.outcome == session::Outcome::fine);
     const std::vector<scene::View> views = session.views();
     for (std::size_t i = 0; i < views.size(); ++i) {
-      const std::string suffix = views.size() == 1 ? "" : "-" + session.view_name(i);
-      compare(fs::path(LANCER_PICTURES_FOLDER) / (path.stem().string() + suffix + ".png"), small_picture(session, views[i]));
+      std::string name = path.stem().string();
+      if (views.size() > 1) name.append("-").append(session.view_name(i));
+      compare(fs::path(LANCER_PICTURES_FOLDER) / name.append(".png"), small_picture(session, views[i]));
     }
   }
 }

@@ -29,7 +29,7 @@ Affine crooked(int i) {
 void add_sheet(Scene& s, const Material& m, const Affine& map, double turn) {
   const double c = math::cos_deg(turn), n = math::sin_deg(turn);
   const auto at = [&](double x, double y) { return Vec3{x * c - y * n, x * n + y * c, 0}; };
-  add_facet(s, at(-9, -7), at(11, -8), at(0.3, 9), m, map);
+  add_facet(s, at(-29, -27), at(31, -28), at(0.3, 39), m, map);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "tracer/shapes/linear_form.hpp"
 #include "tracer/shapes/linear_map.hpp"
 
 namespace lancer::tracer {
@@ -24,13 +25,13 @@ Local to_frame(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
 }
 
 /// Where the ray crosses the side of `axis`; the axis' direction component is not 0.
-Root crossing(const BoxPrimitive& box, const Local& ray, int axis, bool upper) {
+Root side_crossing(const BoxPrimitive& box, const Local& ray, int axis, bool upper) {
   const double gap = (upper ? box.hi[axis] : box.lo[axis]) - ray.origin[axis];
-  const double t = gap / ray.direction[axis];
-  const double off = k_u * std::fabs(gap) + ray.origin_error[axis] + std::fabs(t) * ray.direction_error[axis];
-  const double error = off / std::fabs(ray.direction[axis]) + k_u * std::fabs(t);
-  return {t, error, upper == (ray.direction[axis] < 0),
-          static_cast<std::uint8_t>(2 * axis + (upper ? 1 : 0))};
+  const double d = ray.direction[axis];
+  Root root = crossing({gap, k_u * std::fabs(gap) + ray.origin_error[axis]}, {d, 0},
+                       ray.direction_error[axis], upper == (d < 0));
+  root.face = static_cast<std::uint8_t>(2 * axis + (upper ? 1 : 0));
+  return root;
 }
 
 }  // namespace
@@ -38,16 +39,16 @@ Root crossing(const BoxPrimitive& box, const Local& ray, int axis, bool upper) {
 Roots roots(const BoxPrimitive& box, const Probe& probe) {
   const Local ray = to_frame(box, probe.origin, probe.direction);
   constexpr double k_infinity = std::numeric_limits<double>::infinity();
-  Root enter{-k_infinity, 0, true, 0};
-  Root leave{k_infinity, 0, false, 0};
+  Root enter = plain_root(-k_infinity, 0, true);
+  Root leave = plain_root(k_infinity, 0, false);
   for (int axis = 0; axis < 3; ++axis) {
     const double d = ray.direction[axis];
     if (d == 0) {
       if (ray.origin[axis] < box.lo[axis] || ray.origin[axis] > box.hi[axis]) return {};
       continue;
     }
-    const Root in = crossing(box, ray, axis, d < 0);
-    const Root out = crossing(box, ray, axis, d > 0);
+    const Root in = side_crossing(box, ray, axis, d < 0);
+    const Root out = side_crossing(box, ray, axis, d > 0);
     if (in.t > enter.t) enter = in;
     if (out.t < leave.t) leave = out;
   }
@@ -57,13 +58,14 @@ Roots roots(const BoxPrimitive& box, const Probe& probe) {
 
 Root exit(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
   const Local ray = to_frame(box, origin, direction);
-  Root leave{std::numeric_limits<double>::infinity(), 0, false, 0};
+  Root leave = plain_root(std::numeric_limits<double>::infinity(), 0, false);
   for (int axis = 0; axis < 3; ++axis) {
     if (ray.direction[axis] == 0) continue;
-    const Root out = crossing(box, ray, axis, ray.direction[axis] > 0);
+    const Root out = side_crossing(box, ray, axis, ray.direction[axis] > 0);
     if (out.t < leave.t) leave = out;
   }
   leave.t = std::fmax(leave.t, 0);
+  leave.high = std::fmax(leave.high, leave.t);
   return leave;
 }
 

@@ -27,7 +27,7 @@ Root exit(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction) {
   const Vec3 d = apply(e.to_own, direction);
   const double a = dot(d, d);
   const double error = (4 * k_u * (sum_abs(f) + 1) + own_error(e, offset)) / std::sqrt(a);
-  return {std::fmax(-2 * dot(f, d) / a, 0), error, false, 0};
+  return plain_root(std::fmax(-2 * dot(f, d) / a, 0), error, false);
 }
 
 Vec3 normal(const EllipsoidPrimitive& e, Vec3 p) {

@@ -1,19 +1,20 @@
 #include "tracer/shapes/facet.hpp"
 
 #include "base/math.hpp"
+#include "tracer/shapes/linear_form.hpp"
 
 namespace lancer::tracer {
 namespace {
 
 /// A corner as seen from the ray's start, sheared so that the ray runs along +z.
 struct Sheared {
-  double x, y, z;
+  double x, y;
 };
 
 Sheared shear(Vec3 corner, const Probe& probe) {
   const Vec3 v = corner - probe.origin;
   const double z = v[probe.kz];
-  return {v[probe.kx] - probe.shear_x * z, v[probe.ky] - probe.shear_y * z, probe.shear_z * z};
+  return {v[probe.kx] - probe.shear_x * z, v[probe.ky] - probe.shear_y * z};
 }
 
 /// Whether the plain difference of two products has the sign of the exact one.
@@ -39,17 +40,18 @@ bool surely_missed(const Sheared& a, const Sheared& b, const Sheared& c) {
   return plain.outside(certain(plain.u, u1, u2), certain(plain.v, v1, v2), certain(plain.w, w1, w2));
 }
 
-/// The bound of t's error (Pharr, Jakob, Humphreys, Physically Based Rendering, section 6.8).
-double distance_error(const Sheared& a, const Sheared& b, const Sheared& c, const Edges& e,
-                      double determinant) {
-  const auto largest = [](double p, double q, double r) {
-    return std::fmax(std::fabs(p), std::fmax(std::fabs(q), std::fabs(r)));
-  };
-  const double x = largest(a.x, b.x, c.x), y = largest(a.y, b.y, c.y), z = largest(a.z, b.z, c.z);
-  const double dx = gamma(5) * (x + z), dy = gamma(5) * (y + z), dz = gamma(3) * z;
-  const double de = 2 * (gamma(2) * x * y + dy * x + dx * y);
-  const double largest_edge = largest(e.u, e.v, e.w);
-  return 3 * (gamma(3) * largest_edge * z + de * z + dz * largest_edge) / std::fabs(determinant);
+/// Where the ray meets the facet's plane, from the corner nearest to its start. The normal is off by 2 ulp at
+/// most, which the distance from that corner multiplies.
+Root plane_crossing(const FacetPrimitive& f, const Probe& probe) {
+  const Vec3 n = accurate_cross(f.b - f.a, f.c - f.a);
+  Vec3 nearest = f.a;
+  for (const Vec3 corner : {f.b, f.c}) {
+    if (sum_abs(corner - probe.origin) < sum_abs(nearest - probe.origin)) nearest = corner;
+  }
+  const double size = sum_abs(n);
+  Bounded depth = bounded_depth(0, n, probe.origin, nearest);
+  depth.error += size * (f.slack + 3 * k_u * sum_abs(probe.origin - nearest));
+  return crossing(depth, bounded_dot(n, probe.direction), size * 3 * k_u, true);
 }
 
 }  // namespace
@@ -62,13 +64,10 @@ Roots roots(const FacetPrimitive& facet, const Probe& probe) {
   if (e.outside(true, true, true)) return {};
   const double determinant = e.u + e.v + e.w;
   if (determinant == 0) return {};
-  const double t = (e.u * a.z + e.v * b.z + e.w * c.z) / determinant;
-  // A slack across the facet moves t by slack / |n . d|, and determinant / |2 area| is n . d in sheared
-  // space.
-  const Vec3 twice_area = cross(facet.b - facet.a, facet.c - facet.a);
-  const double across = std::fabs(determinant / probe.shear_z);
-  const double error = distance_error(a, b, c, e, determinant) + facet.slack * sum_abs(twice_area) / across;
-  return {1, {{t, error, (determinant > 0) != facet.flipped, 0}, {}}};
+  Root root = plane_crossing(facet, probe);
+  if (!std::isfinite(root.t)) return {};
+  root.entering = (determinant > 0) != facet.flipped;
+  return {1, {root, {}}};
 }
 
 Vec3 normal(const FacetPrimitive& facet) {

@@ -35,7 +35,7 @@ Roots quadric_roots(Vec3 f, Vec3 low, Vec3 d, double r, double slack) {
   const double along =
       half_chord > 0 ? std::fmin(e * r / half_chord, std::sqrt(2 * e * r)) : std::sqrt(2 * e * r);
   const double error = (e + along) / std::sqrt(a);
-  return {2, {{near, error, true, 0}, {far, error, false, 0}}};
+  return {2, {plain_root(near, error, true), plain_root(far, error, false)}};
 }
 
 Roots roots(const SpherePrimitive& sphere, const Probe& probe) {
@@ -51,7 +51,7 @@ Roots roots(const SpherePrimitive& sphere, const Probe& probe) {
 Root exit(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
   const Vec3 f = origin - sphere.center;
   const double t = -2 * dot(f, direction) / dot(direction, direction);
-  return {std::fmax(t, 0), 4 * k_u * (sum_abs(f) + sphere.radius) + sphere.slack, false, 0};
+  return plain_root(std::fmax(t, 0), 4 * k_u * (sum_abs(f) + sphere.radius) + sphere.slack, false);
 }
 
 Vec3 normal(const SpherePrimitive& sphere, Vec3 p) { return normalize(p - sphere.center); }

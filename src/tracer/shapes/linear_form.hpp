@@ -1,0 +1,46 @@
+#pragma once
+// n . v with a bound of its error: plain arithmetic where that is good enough, twice the precision where
+// terms cancel.
+
+#include "tracer/numeric.hpp"
+#include "tracer/ray.hpp"
+
+namespace lancer::tracer {
+
+struct Bounded {
+  double value = 0, error = 0;
+};
+
+/// depth / slope, with the bounds that follow where the slope may be off by `doubt` more, in the slope's own
+/// units.
+Root crossing(Bounded depth, Bounded slope, double doubt, bool entering);
+
+/// n . d.
+inline Bounded bounded_dot(Vec3 n, Vec3 d) {
+  const Vec3 terms{n.x * d.x, n.y * d.y, n.z * d.z};
+  const double plain = terms.x + terms.y + terms.z;
+  const double magnitude = sum_abs(terms);
+  if (std::fabs(plain) >= magnitude * 0.25) return {plain, 3 * k_u * magnitude};
+  Accurate sum;
+  for (int axis = 0; axis < 3; ++axis) sum.add_product(n[axis], d[axis]);
+  return {sum.value(), 2 * k_u * std::fabs(sum.value()) + 16 * k_u * k_u * magnitude};
+}
+
+/// level - n . (p - from).
+inline Bounded bounded_depth(double level, Vec3 n, Vec3 p, Vec3 from) {
+  const Vec3 offset = p - from;
+  const Vec3 terms{n.x * offset.x, n.y * offset.y, n.z * offset.z};
+  const double plain = level - (terms.x + terms.y + terms.z);
+  const double magnitude = sum_abs(terms) + std::fabs(level);
+  if (std::fabs(plain) >= magnitude * 0.25) return {plain, 5 * k_u * magnitude};
+  Accurate sum;
+  sum.add(level);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Double2 exact = two_sum(p[axis], -from[axis]);
+    sum.add_product(-n[axis], exact.high);
+    sum.add_small(-n[axis] * exact.low);
+  }
+  return {sum.value(), 2 * k_u * std::fabs(sum.value()) + 32 * k_u * k_u * magnitude};
+}
+
+}  // namespace lancer::tracer
