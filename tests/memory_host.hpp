@@ -1,6 +1,7 @@
 #pragma once
 // A host for tests: files in memory, printed lines kept.
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -22,7 +23,8 @@ class MemoryHost : public session::Host {
   std::string canonical(const std::string& path) override {
     if (path.empty() || path == ".") return "/";
     const std::string absolute = path.starts_with('/') ? path : "/" + path;
-    return absolute;
+    const auto is_there = [&](const auto& file) { return file.first == absolute || file.first.starts_with(absolute + "/"); };
+    return std::any_of(files.begin(), files.end(), is_there) ? absolute : std::string{};
   }
   void print(std::string_view text) override { printed += text; }
 };

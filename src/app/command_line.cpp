@@ -145,7 +145,8 @@ std::optional<Answer> parse(CLI::App& app, std::vector<std::string> arguments) {
     return Answer{k_fine, app.help()};
   } catch (const CLI::ArgumentMismatch& problem) {
     const std::string what = problem.what();
-    return wrong(what.substr(0, what.find(':')) + " takes a value");
+    const bool is_repeated = what.find("At Most") != std::string::npos;
+    return wrong(what.substr(0, what.find(':')) + (is_repeated ? " is given twice" : " takes a value"));
   } catch (const CLI::ParseError& problem) {
     const std::vector<std::string> unknown = app.remaining();
     if (!unknown.empty()) return wrong(unexpected(app, unknown.front()));

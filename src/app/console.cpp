@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -51,7 +52,7 @@ void Output::flush() {
 
 void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
-void complain(std::string_view line) { say("lancer: " + std::string(line) + "\n"); }
+void complain(std::string_view line) { say(fmt::format("lancer: {}\n", line)); }
 
 Console make_console(Output& out, const std::atomic<bool>& interrupt) {
   const bool is_watched = isatty(STDERR_FILENO) == 1 && !is_dumb();

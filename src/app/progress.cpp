@@ -30,7 +30,8 @@ std::string progress_line(const std::string& title, int done, int rows, int colu
   const int bar = std::min(k_bar, room);
   const int full = static_cast<int>(part * bar);
   std::string line = fmt::format("[{:#<{}}{:.<{}}] {}", "", full, "", bar - full, percent);
-  if (columns - static_cast<int>(line.size()) > static_cast<int>(title.size())) line.insert(0, title + " ");
+  if (columns - static_cast<int>(line.size()) > static_cast<int>(title.size()))
+    line = fmt::format("{} {}", title, line);
   return line;
 }
 
@@ -43,7 +44,7 @@ Progress::Progress(bool is_shown, std::string title, int rows)
 }
 
 Progress::~Progress() {
-  if (is_shown_) say("\r" + std::string(static_cast<std::size_t>(std::max(columns_, 0)), ' ') + "\r");
+  if (is_shown_) say(fmt::format("\r{:{}}\r", "", columns_));
 }
 
 void Progress::add(int rows) {
@@ -53,6 +54,6 @@ void Progress::add(int rows) {
   next_draw_ = std::chrono::steady_clock::now() + k_pause;
 }
 
-void Progress::draw() { say("\r" + progress_line(title_, done_, rows_, columns_)); }
+void Progress::draw() { say(fmt::format("\r{}", progress_line(title_, done_, rows_, columns_))); }
 
 }  // namespace lancer::app

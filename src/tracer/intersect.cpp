@@ -195,6 +195,10 @@ bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
   hit.primitive = first.primitive;
   hit.shape = world.primitives[first.primitive].shape;
   hit.root = first.root;
+  // As the first, it is met no later than where any of the others must have been.
+  hit.root.t = std::fmin(hit.root.t, candidates.limit());
+  const double since = hit.root.t - std::fmax(hit.root.low, 0);
+  hit.root.error = std::fmin(hit.root.error, std::fmax(since, candidates.limit() - hit.root.t));
   hit.point = project(world, hit.primitive, ray.origin + ray.direction * hit.root.t, hit.root.face);
   hit.point_error = hit.root.error + 4 * k_u * max_abs(hit.point);
   hit.normal = normal(world, hit.primitive, hit.point, hit.root.face);

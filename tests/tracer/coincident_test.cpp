@@ -196,3 +196,19 @@ TEST_CASE("coincident: light through a mesh aimed at its edges and corners cross
     CHECK(seen(t, {0.5, -0.5, 5}, {0, 0, -1}).r == 0.125 + 0.0625 + 0.25);
   }
 }
+
+TEST_CASE("coincident: a ray in a plane sees what it passes, not only the plane", "[coincident]") {
+  // All of the rays of the middle row lie in the plane but for rounding; the ball is met before or after,
+  // never lost.
+  Scene s;
+  s.settings.background = grey(1);
+  s.settings.depth = 100;
+  const Affine map = crooked(3);
+  add_plane(s, {0, 0, 0}, {0, 0, 1}, clear(1, 1), map);
+  add_sphere(s, {0, 0, 0}, 1, glowing(0.5), map);
+  s.settings.ambient = grey(1);
+  for (int i = 0; i < 50; ++i) {
+    const double x = -0.9 + 0.036 * i;
+    CHECK(seen(s, map.point({x, 9, 0}), map.vector({0, -1, 0})).r == 0.5);
+  }
+}

@@ -2,6 +2,7 @@
 
 #include "build.hpp"
 #include "catch.hpp"
+#include "tracer/shadow.hpp"
 
 using namespace lancer;
 using namespace lancer::tracer;
@@ -88,6 +89,53 @@ TEST_CASE("intersect: shadow rays find the same with and without the tree", "[in
     const double distance = i % 2 ? random() * 10 : std::numeric_limits<double>::infinity();
     REQUIRE(found(world, ray, distance) == found(plain, ray, distance));
   }
+}
+
+TEST_CASE("intersect: eye rays and shadow rays cross the same surfaces", "[intersect]") {
+  // Unbent, with half of the light let through by each surface, what a ray sees of a white background is the
+  // light that reaches its start along it: two ways to count crossings, one step by step, one all at once.
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    const bool on_grid = seed % 2 == 0;  // then many faces are coincident
+    const auto place = [&] {
+      const Vec3 v = random.in_cube(3.49);
+      return on_grid ? Vec3{std::round(v.x), std::round(v.y), std::round(v.z)} : v;
+    };
+    const Affine turned =
+        seed % 3 == 0 ? then(rotation(random.in_cube(180)), translation({3, 1, 4})) : Affine{};
+    Scene s;
+    s.settings.background = grey(1);
+    s.settings.ambient = {};
+    const Material half = clear(0.5, 1);
+    for (int i = 0; i < 6; ++i) {
+      const Vec3 a = place();
+      add_box(s, a, a + Vec3{1, 2, 1}, half, turned);
+      add_sphere(s, place(), 1.5, half, turned);
+      add_mesh(s, cube_mesh(i % 2 == 0), half, then(translation(place()), turned));
+      add_plane(s, place(), {0, 0, i % 2 == 0 ? 1.0 : -1.0}, half, turned);
+      add_facet(s, {-9, -9, a.z}, {9, -9, a.z}, {0, 9, a.z}, half, turned);
+    }
+    const World world = prepare(s);
+    const Plan needed = plan(s, {}, {});
+    Tracer tracer({&world, &needed, nullptr});
+    Stats stats;
+    for (int i = 0; i < 100; ++i) {
+      const Ray ray{turned.point(random.in_cube(9)), random.direction(), 0, {}, {}};
+      const Color through =
+          light_through(world, ShadowWork::filtered, ray, std::numeric_limits<double>::infinity(), stats);
+      REQUIRE(tracer.radiance(ray, 100) == through);
+    }
+  }
+}
+
+TEST_CASE("intersect: a ray through a mesh's silhouette edge enters and leaves once", "[intersect]") {
+  Scene s;
+  s.settings.background = grey(1);
+  s.settings.depth = 50;
+  add_mesh(s, cube_mesh(true), clear(0.5, 1));
+  // Past the edge x = 1, z = 1, which it touches.
+  const Color touched = seen(s, {2, 0.3, 0}, {-1, 0, 1});
+  CHECK((touched == grey(0.25) || touched == grey(1)));
 }
 
 TEST_CASE("intersect: the distance of every hit is within its bound of the truth", "[intersect]") {

@@ -17,7 +17,9 @@ Roots roots(const PlanePrimitive& plane, const Probe& probe) {
   const double size = sum_abs(plane.normal);
   Bounded depth = depth_below(plane, probe.origin);
   depth.error += size * (plane.slack + plane.normal_error * sum_abs(probe.origin - plane.point));
-  return {1, {crossing(depth, slope, size * plane.normal_error, slope.value < 0), {}}};
+  const Root root = crossing(depth, slope, size * plane.normal_error, slope.value < 0);
+  if (!std::isfinite(root.t)) return {};
+  return {1, {root, {}}};
 }
 
 Vec3 normal(const PlanePrimitive& plane) { return normalize(plane.normal); }
