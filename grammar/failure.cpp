@@ -107,6 +107,16 @@ bool is_shadowed_variable(const Builder& b, const char* at, Expectation expectat
   return expectation.role == Expectation::Role::value && ends && !b.kinds.empty() && lang::find_attribute(b.kinds.back(), last_word(b)) != nullptr;
 }
 
+/// `center <0, 0, 0>, radius 1`: behind the comma the attribute's name was taken for a value.
+bool is_separated_attribute(const Builder& b, Expectation expectation) {
+  if (expectation.role != Expectation::Role::closer || b.kinds.empty() || b.brackets.empty() || b.text()[b.brackets.back()] != '{') return false;
+  const std::string_view word = last_word(b);
+  if (word.empty() || lang::find_attribute(b.kinds.back(), word) == nullptr) return false;
+  const std::string_view before = b.text().substr(0, b.last_end - static_cast<std::uint32_t>(word.size()));
+  const std::size_t sign = before.find_last_not_of(" \t\r\n");
+  return sign != std::string_view::npos && before[sign] == ',';
+}
+
 /// Advice for what was found, or nothing.
 std::string help_for(const Builder& b, const char* at, Expectation expectation) {
   if (at == end_of(b)) return {};
@@ -115,6 +125,8 @@ std::string help_for(const Builder& b, const char* at, Expectation expectation) 
   if (is_shadowed_variable(b, at, expectation)) {
     return fmt::format("here `{0}` is the attribute; a variable of that name is `{0} {0}` or `({0})`", last_word(b));
   }
+  if (is_separated_attribute(b, expectation)) return fmt::format("no comma stands before an attribute: `{}` was read as a value here", last_word(b));
+  if (std::string_view(expectation.wanted) == "a name for the loop's variable") return "a loop is `for i in 0..10 { .. }`, without parentheses";
   if (is_foreign_color(b, at)) return "`rgb <1, 0, 0>` is `rgb(1, 0, 0)`";
   if (static_cast<unsigned char>(*at) >= 0x80) return "letters outside ASCII belong in strings and comments";
   if (in_closed_place(b) && is_comparison(token)) return "in a vector or block a comparison stands in parentheses: `(a < b)`";

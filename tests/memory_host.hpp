@@ -21,7 +21,7 @@ class MemoryHost : public session::Host {
     return {session::FileText::Status::read, found->second, {}};
   }
   std::string canonical(const std::string& path) override {
-    if (path.empty() || path == ".") return "/";
+    if (path.empty() || path == "." || path == "/") return "/";
     const std::string absolute = path.starts_with('/') ? path : "/" + path;
     const auto is_there = [&](const auto& file) { return file.first == absolute || file.first.starts_with(absolute + "/"); };
     return std::any_of(files.begin(), files.end(), is_there) ? absolute : std::string{};

@@ -39,7 +39,7 @@ Progress::Progress(bool is_shown, std::string title, int rows)
     : is_shown_(is_shown),
       title_(std::move(title)),
       rows_(rows),
-      next_draw_(std::chrono::steady_clock::now() + k_pause) {
+      next_draw_(std::chrono::steady_clock::now()) {
   if (is_shown_) columns_ = terminal_columns();
 }
 

@@ -34,10 +34,13 @@ DoubleDouble expm1_series(DoubleDouble r) {
   return r + r * r * (0.5 + r * third);
 }
 
-/// x as 2^exponent times a significand in [0.7, 1.42), and ln of that significand.
+/// ln x = exponent ln 2 + coarse + fine + ln(1 + r), r exact and |r| <= 2^-13.
 struct LogParts {
   int exponent;
-  DoubleDouble log;
+  DoubleDouble coarse, fine, r;
+
+  /// Without the exponent: of a significand in [0.7, 1.42).
+  DoubleDouble log() const { return coarse + fine + log1p_series(r); }
 };
 
 LogParts log_parts(double x) {
@@ -60,7 +63,22 @@ LogParts log_parts(double x) {
   const double j = nearest_whole(((near_one.hi - 1) + near_one.lo) * 8192);
   const DoubleDouble nearer = near_one * (1 - j / 8192);
   const DoubleDouble& fine = k_log_fine[static_cast<std::size_t>(64 + static_cast<int>(j))];
-  return {exponent, coarse.minus_log + fine + log1p_series(nearer + -1.0)};
+  return {exponent, coarse.minus_log, fine, quick_two_sum(nearer.hi - 1, nearer.lo)};
+}
+
+/// x in steps of ln 2 / 4096, and the rest.
+struct ExpParts {
+  int steps;
+  DoubleDouble rest;
+
+  const DoubleDouble& coarse() const { return k_exp_coarse[static_cast<std::size_t>((steps >> 6) & 63)]; }
+  const DoubleDouble& fine() const { return k_exp_fine[static_cast<std::size_t>(steps & 63)]; }
+};
+
+ExpParts exp_parts(DoubleDouble x) {
+  constexpr double k_steps = 5909.278887481194;  // 4096 / ln 2
+  const double n = nearest_whole(x.hi * k_steps);
+  return {static_cast<int>(n), ((x.hi - n * k_exp_step_head) + -(k_exp_step_rest * n)) + x.lo};
 }
 
 /// What the logarithms are where they are not finite, or 1 for the others.
@@ -88,19 +106,34 @@ double round_once(Scaled value) {
 }
 
 Scaled exp_kernel(DoubleDouble x) {
-  constexpr double k_steps = 5909.278887481194;  // 4096 / ln 2
-  const double n = nearest_whole(x.hi * k_steps);
-  const DoubleDouble r = ((x.hi - n * k_exp_step_head) + -(k_exp_step_rest * n)) + x.lo;
-  const int steps = static_cast<int>(n);
-  const DoubleDouble power = k_exp_coarse[static_cast<std::size_t>((steps >> 6) & 63)] *
-                             k_exp_fine[static_cast<std::size_t>(steps & 63)];
-  return {power + power * expm1_series(r), steps >> 12};
+  const ExpParts parts = exp_parts(x);
+  const DoubleDouble power = parts.coarse() * parts.fine();
+  return {power + power * expm1_series(parts.rest), parts.steps >> 12};
+}
+
+Scaled quick_exp(DoubleDouble x) {
+  const ExpParts parts = exp_parts(x);
+  const DoubleDouble power = parts.coarse() * parts.fine();
+  const double r = parts.rest.hi;
+  const double expm1 = r + (parts.rest.lo + r * r * (0.5 + r * (1.0 / 6 + r * (1.0 / 24))));
+  return {quick_two_sum(power.hi, power.lo + power.hi * expm1), parts.steps >> 12};
 }
 
 DoubleDouble log_kernel(double x) {
   const LogParts parts = log_parts(x);
-  if (parts.exponent == 0) return parts.log;
-  return parts.exponent * k_ln2_head + (parts.exponent * k_ln2_rest + parts.log);
+  if (parts.exponent == 0) return parts.log();
+  return parts.exponent * k_ln2_head + (parts.exponent * k_ln2_rest + parts.log());
+}
+
+DoubleDouble quick_log(double x) {
+  const LogParts parts = log_parts(x);
+  const double r = parts.r.hi;
+  const double series = r * r * (-0.5 + r * (1.0 / 3 - r * (0.25 - r * 0.2)));
+  const DoubleDouble a = two_sum(parts.exponent * k_ln2_head, parts.coarse.hi);
+  const DoubleDouble b = two_sum(a.hi, parts.fine.hi);
+  const DoubleDouble c = two_sum(b.hi, r);
+  const double tables = parts.exponent * k_ln2_rest.hi + (parts.coarse.lo + parts.fine.lo);
+  return quick_two_sum(c.hi, series + (a.lo + b.lo + c.lo + tables + parts.r.lo));
 }
 
 double exp(double x) {
@@ -120,7 +153,7 @@ double log2(double x) {
   const double special = log_special(x);
   if (special != 1) return special;
   const LogParts parts = log_parts(x);
-  return (parts.exponent + parts.log * k_log2_e).hi;
+  return (parts.exponent + parts.log() * k_log2_e).hi;
 }
 
 double log10(double x) {

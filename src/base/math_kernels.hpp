@@ -35,4 +35,8 @@ Scaled exp_kernel(DoubleDouble x);
 /// ln x for a finite x > 0, relative error about 2^-103.
 DoubleDouble log_kernel(double x);
 
+// The same with fewer bits, faster: relative errors below 2^-64.
+Scaled quick_exp(DoubleDouble x);
+DoubleDouble quick_log(double x);
+
 }  // namespace lancer::math

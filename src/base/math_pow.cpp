@@ -54,8 +54,25 @@ std::optional<Scaled> exact_power(double x, double y) {
   return std::nullopt;
 }
 
+/// x^y from the quick kernels, where their error cannot change the rounding and the result is a normal
+/// number. After A. Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded last
+/// bit" (1991).
+std::optional<double> quick_power(double x, double y) {
+  const DoubleDouble log = quick_log(x);
+  const double size = log.hi * y;
+  if (!(std::fabs(size) < 700 && std::fabs(size) > 0x1p-60)) return std::nullopt;
+  const Scaled power = quick_exp(log * y);
+  const double hi = power.significand.hi;
+  const double lo = power.significand.lo;
+  const double error = hi * (0x1p-63 + std::fabs(size) * 0x1p-63);
+  const double result = hi + (lo - error);
+  if (result != hi + (lo + error)) return std::nullopt;
+  return result * power_of_two(power.exponent);
+}
+
 /// x^y for finite x > 0.
 double positive_power(double x, double y) {
+  if (const std::optional<double> quick = quick_power(x, y)) return *quick;
   const DoubleDouble log = log_kernel(x);
   const double size = log.hi * y;
   if (size > 710) return k_infinity;

@@ -61,7 +61,7 @@ std::optional<std::uint32_t> find_constant(std::string_view id);
 /// b. Throws ScriptError(wrong_type or not_finite) at `span`.
 Value arithmetic(ast::BinaryOp op, const Value& a, const Value& b, Span span);
 Value negate(const Value& a, Span span);
-/// Numbers only; exact where the result is.
+/// base ^ exponent on numbers and vectors, as arithmetic; exact where the result is.
 Value power(const Value& base, const Value& exponent, Span span);
 /// Any two values: different types are unequal; functions and patterns are equal if they are the same one.
 bool equal(const Value& a, const Value& b, Meter& meter, Span span);

@@ -53,22 +53,38 @@ std::string short_text(const Value& v) {
                                 std::isnan(result) ? "not a number" : "infinite"));
 }
 
-[[noreturn]] void refuse_operands(BinaryOp op, const Value& a, const Value& b, Span span) {
+[[noreturn]] void refuse_operands(std::string_view sign, const Value& a, const Value& b, Span span) {
   if (a.is(Type::vector) && b.is(Type::vector)) {
     throw ScriptError(Code::wrong_type, span,
                       fmt::format("`{}` wants vectors of the same length; these have {} and {} numbers",
-                                  symbol(op), a.dimension(), b.dimension()));
+                                  sign, a.dimension(), b.dimension()));
   }
   std::string help;
-  if (op == BinaryOp::add && (a.is(Type::string) || b.is(Type::string))) {
+  if (sign == "+" && (a.is(Type::string) || b.is(Type::string))) {
     help = "values are put into strings as \"{a} and {b}\"";
-  } else if (op == BinaryOp::add && a.is_list_like() && b.is_list_like()) {
+  } else if (sign == "+" && a.is_list_like() && b.is_list_like()) {
     help = "lists are joined by `concat(a, b)`";
   }
   throw ScriptError(Code::wrong_type, span,
-                    fmt::format("`{}` wants numbers or vectors; here it has {} and {}", symbol(op),
+                    fmt::format("`{}` wants numbers or vectors; here it has {} and {}", sign,
                                 with_article(a), with_article(b)),
                     std::move(help));
+}
+
+/// a and b joined component by component; a number spreads over a vector.
+template <class Operation>
+Value by_components(std::string_view sign, const Value& a, const Value& b, Span span, Operation operation) {
+  const auto checked = [&](double result) {
+    if (std::isfinite(result)) return result;
+    refuse_not_finite(fmt::format("{} {} {}", short_text(a), sign, short_text(b)), result, span);
+  };
+  if (a.is(Type::number) && b.is(Type::number)) return checked(operation(a.number(), b.number()));
+  if (!is_arithmetic(a) || !is_arithmetic(b)) refuse_operands(sign, a, b, span);
+  const int dimension = a.is(Type::vector) ? a.dimension() : b.dimension();
+  if (b.is(Type::vector) && b.dimension() != dimension) refuse_operands(sign, a, b, span);
+  Vec3 result;
+  for (int i = 0; i < dimension; ++i) result[i] = checked(operation(spread(a, i), spread(b, i)));
+  return dimension == 2 ? Value(result.x, result.y) : Value(result);
 }
 
 }  // namespace
@@ -80,21 +96,7 @@ double modulo(double a, double b) {
 }
 
 Value arithmetic(BinaryOp op, const Value& a, const Value& b, Span span) {
-  if (a.is(Type::number) && b.is(Type::number)) {
-    const double result = apply(op, a.number(), b.number());
-    if (std::isfinite(result)) return result;
-    refuse_not_finite(fmt::format("{} {} {}", short_text(a), symbol(op), short_text(b)), result, span);
-  }
-  if (!is_arithmetic(a) || !is_arithmetic(b)) refuse_operands(op, a, b, span);
-  const int dimension = a.is(Type::vector) ? a.dimension() : b.dimension();
-  if (b.is(Type::vector) && b.dimension() != dimension) refuse_operands(op, a, b, span);
-  Vec3 result;
-  for (int i = 0; i < dimension; ++i) {
-    result[i] = apply(op, spread(a, i), spread(b, i));
-    if (std::isfinite(result[i])) continue;
-    refuse_not_finite(fmt::format("{} {} {}", short_text(a), symbol(op), short_text(b)), result[i], span);
-  }
-  return dimension == 2 ? Value(result.x, result.y) : Value(result);
+  return by_components(symbol(op), a, b, span, [op](double p, double q) { return apply(op, p, q); });
 }
 
 Value negate(const Value& a, Span span) {
@@ -107,15 +109,7 @@ Value negate(const Value& a, Span span) {
 }
 
 Value power(const Value& base, const Value& exponent, Span span) {
-  if (!base.is(Type::number) || !exponent.is(Type::number)) {
-    throw ScriptError(Code::wrong_type, span,
-                      fmt::format("`^` wants two numbers; here it has {} and {}", with_article(base),
-                                  with_article(exponent)),
-                      base.is(Type::vector) ? "`dot(v, v)` is the square of a vector's length" : "");
-  }
-  const double result = math::pow(base.number(), exponent.number());
-  if (std::isfinite(result)) return result;
-  refuse_not_finite(fmt::format("{} ^ {}", short_text(base), short_text(exponent)), result, span);
+  return by_components("^", base, exponent, span, [](double p, double q) { return math::pow(p, q); });
 }
 
 bool less(const Value& a, const Value& b, Meter& meter, Span span) {

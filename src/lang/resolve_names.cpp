@@ -61,7 +61,22 @@ UseGraph::Node Resolver::new_node(std::string_view id, Span span, bool* used) {
   return uses_.add({id, span, used, owner_, included});
 }
 
+std::uint32_t Resolver::take_slots(std::uint32_t count) {
+  const std::uint32_t first = frame_->next_slot;
+  frame_->next_slot += count;
+  frame_->size = std::max(frame_->size, frame_->next_slot);
+  return first;
+}
+
 void Resolver::hoist(std::span<ast::Stmt*> statements) {
+  if (scope_ != nullptr) {
+    const auto declares = [](const ast::Stmt* s) {
+      return s->kind == ast::StmtKind::let || s->kind == ast::StmtKind::function;
+    };
+    const auto count = std::count_if(statements.begin(), statements.end(), declares);
+    scope_->reserved_left = static_cast<std::uint32_t>(count);
+    scope_->reserved = take_slots(scope_->reserved_left);
+  }
   for (ast::Stmt* s : statements) {
     if (s->kind != ast::StmtKind::function) continue;
     auto& statement = ast::as<ast::FunctionStmt>(*s);
@@ -87,8 +102,12 @@ void Resolver::declare(Variable* variable, ast::Binding& binding) {
 
 void Resolver::declare_local(Variable* variable) {
   variable->frame = frame_;
-  variable->slot = frame_->next_slot++;
-  frame_->size = std::max(frame_->size, frame_->next_slot);
+  if (scope_->reserved_left > 0) {
+    --scope_->reserved_left;
+    variable->slot = scope_->reserved++;
+  } else {
+    variable->slot = take_slots(1);
+  }
   scope_->variables.push_back(variable);
   const auto [entry, is_new] = scope_->names.try_emplace(variable->id, variable);
   if (is_new) return;
@@ -115,6 +134,9 @@ void Resolver::declared_twice(const Variable& one, const Variable& other) {
       error(Code::declared_twice, second.span, fmt::format("`{}` is declared twice in one scope", second.id),
             fmt::format("a variable gets a new value by `{} = ..`, without `let`", second.id));
   d.labels.push_back({first.span, "first declared here"});
+  // Which of the two is meant by a mention is part of the mistake: neither is called unused.
+  uses_.mention(UseGraph::k_root, first.node);
+  uses_.mention(UseGraph::k_root, second.node);
   out_.diagnostics.push_back(std::move(d));
 }
 
@@ -170,7 +192,10 @@ void Resolver::unknown_target(const ast::Assign& assign) {
   }
   if (quiet_) return;
   unknown(assign.id, assign.id_span, nullptr);
-  std::string& help = out_.diagnostics.back().help;
+  Diagnostic& problem = out_.diagnostics.back();
+  problem.code = Code::cannot_assign;
+  problem.message = fmt::format("there is no variable `{}` to assign to", assign.id);
+  std::string& help = problem.help;
   if (help.empty()) help = fmt::format("a new variable is made by `let {} = ..`", assign.id);
 }
 
@@ -220,7 +245,8 @@ void Resolver::tell_missing(std::vector<Missing>& missing, const Variable& varia
     Diagnostic& d = out_.diagnostics[m.diagnostic];
     if (!d.labels.empty()) continue;
     d.labels.push_back({variable.span, "its `let` comes only here"});
-    d.help = "a variable is known from the end of its `let` on; a function that calls itself is `fn name(..)`";
+    d.help =
+        "a variable is known from the end of its `let` on; a function that calls itself is `fn name(..)`";
   }
 }
 

@@ -43,7 +43,9 @@ struct Missing {
 /// Braces, parameters, or the variable of a loop.
 struct LexicalScope {
   LexicalScope* outer = nullptr;
-  std::uint32_t first_slot = 0;
+  std::uint32_t first_slot = 0;  // of the frame, when the scope was entered
+  std::uint32_t reserved = 0;    // the next of the slots that `hoist` set aside, and how many are left
+  std::uint32_t reserved_left = 0;
   Names names;
   std::vector<Variable*> variables;
   std::vector<Missing> missing;
@@ -93,6 +95,8 @@ class Resolver {
   /// Closes the innermost scope; appends the slots of captured variables to `boxes`.
   void leave(LexicalScope& scope, std::vector<std::uint32_t>& boxes);
   std::span<std::uint32_t> keep(const std::vector<std::uint32_t>& boxes);
+  /// Declares the functions among the statements of a scope that begins here, and sets slots aside for all it
+  /// will declare: its boxes are made when it is entered, so that no inner scope may use their slots before.
   void hoist(std::span<ast::Stmt*> statements);
   Variable* new_variable(std::string_view id, Span span);
   Variable* new_global(std::string_view id, Span span);
@@ -100,6 +104,7 @@ class Resolver {
   /// Makes the variable known from here on, in the innermost scope; reports a second one of the name.
   void declare(Variable* variable, ast::Binding& binding);
   void declare_local(Variable* variable);
+  std::uint32_t take_slots(std::uint32_t count);
   void declare_global(Variable* variable);
   void declared_twice(const Variable& one, const Variable& other);
   Variable* find(std::string_view id) const;

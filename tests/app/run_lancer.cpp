@@ -32,6 +32,23 @@ void close_end(int& descriptor) {
   descriptor = -1;
 }
 
+sigset_t no_signals() {
+  sigset_t out;
+  sigemptyset(&out);
+  return out;
+}
+
+/// fork() with SIGINT and SIGTERM held back in the child until it is the program.
+pid_t fork_quietly() {
+  sigset_t held = no_signals(), before;
+  sigaddset(&held, SIGINT);
+  sigaddset(&held, SIGTERM);
+  sigprocmask(SIG_BLOCK, &held, &before);
+  const pid_t process = fork();
+  if (process != 0) sigprocmask(SIG_SETMASK, &before, nullptr);
+  return process;
+}
+
 /// In the child: becomes the program.
 [[noreturn]] void become(const std::vector<std::string>& arguments, const Setting& setting) {
   std::vector<char*> words{const_cast<char*>(LANCER_PROGRAM)};
@@ -39,6 +56,10 @@ void close_end(int& descriptor) {
   words.push_back(nullptr);
   if (!setting.folder.empty() && chdir(setting.folder.c_str()) != 0) _exit(99);
   if (setting.as_nobody && geteuid() == 0 && (setgid(65534) != 0 || setuid(65534) != 0)) _exit(98);
+  // The test program's own handlers must not answer a signal that comes early.
+  for (const int number : {SIGINT, SIGTERM}) ::signal(number, SIG_DFL);
+  const sigset_t none = no_signals();
+  sigprocmask(SIG_SETMASK, &none, nullptr);
   execv(LANCER_PROGRAM, words.data());
   _exit(97);
 }
@@ -111,7 +132,7 @@ std::vector<std::string> Folder::names() const {
 
 Result run_program(const std::vector<std::string>& arguments, const Setting& setting) {
   Pipe in = make_pipe(), out = make_pipe(), err = make_pipe();
-  const pid_t process = fork();
+  const pid_t process = fork_quietly();
   if (process == 0) {
     dup2(in.read_end, STDIN_FILENO);
     const int file = setting.out_path.empty()
@@ -136,7 +157,7 @@ Result run_program(const std::vector<std::string>& arguments, const Setting& set
 
 Running::Running(const std::vector<std::string>& arguments) {
   Pipe in = make_pipe(), out = make_pipe(), err = make_pipe();
-  process_ = fork();
+  process_ = fork_quietly();
   if (process_ == 0) {
     dup2(in.read_end, STDIN_FILENO);
     dup2(out.write_end, STDOUT_FILENO);
@@ -186,7 +207,7 @@ Result run_on_terminal(const std::vector<std::string>& arguments, bool both,
   winsize size{24, 80, 0, 0};
   if (openpty(&terminal, &program_side, nullptr, nullptr, &size) != 0)
     throw std::runtime_error("no terminal");
-  const pid_t process = fork();
+  const pid_t process = fork_quietly();
   if (process == 0) {
     setenv("TERM", "xterm", 1);
     unsetenv("NO_COLOR");

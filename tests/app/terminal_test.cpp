@@ -19,13 +19,13 @@ TEST_CASE("terminal: a picture is not for a terminal", "[app][terminal]") {
 TEST_CASE("terminal: progress is shown on one, and only there", "[app][terminal]") {
   test::Folder f;
   const std::string scene = f.write("a.scn", k_scene);
-  const Result shown = run_on_terminal({scene, "--size", "800,800", "--samples", "64"}, false);
+  const Result shown = run_on_terminal({scene}, false);
   CHECK(shown.exit_code == 0);
   CHECK_THAT(shown.err, ContainsSubstring(" %"));
   CHECK_THAT(shown.err, ContainsSubstring("view 1 ["));
-  const Result quiet = run_on_terminal({scene, "--size", "800,800", "--samples", "64", "--quiet"}, false);
+  const Result quiet = run_on_terminal({scene, "--quiet"}, false);
   CHECK(quiet.err.empty());
-  const Result dumb = run_on_terminal({scene, "--size", "800,800", "--samples", "64"}, false, {"TERM=dumb"});
+  const Result dumb = run_on_terminal({scene}, false, {"TERM=dumb"});
   CHECK(dumb.err.find('\r') == dumb.err.find("\r\n"));
 }
 

@@ -15,7 +15,7 @@ TEST_CASE("resolve: all unknown names are told at once, in unused code too", "[r
   CHECK(found("print(a)\nfn _f() = b + \"{c}\"\nif true { d = 1 }") ==
         Found{"main.scn:1:7 E020 nothing is called `a` here", "main.scn:2:11 E020 nothing is called `b` here",
               "main.scn:2:17 E020 nothing is called `c` here",
-              "main.scn:3:11 E020 nothing is called `d` here"});
+              "main.scn:3:11 E026 there is no variable `d` to assign to"});
 }
 
 TEST_CASE("resolve: an unknown name gets the nearest known one as help", "[resolve]") {

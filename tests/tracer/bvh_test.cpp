@@ -28,7 +28,8 @@ TEST_CASE("bvh: what a ray may meet is visited, at any limit", "[bvh]") {
   const Bvh tree(boxes);
   Random random(1);
   for (int i = 0; i < 500; ++i) {
-    const Probe probe(random.in_cube(15), random.direction());
+    const Vec3 origin = random.in_cube(15);
+    const Probe probe(origin, random.direction());
     const double limit = i % 2 == 0 ? std::numeric_limits<double>::infinity() : random() * 20;
     std::vector<bool> visited(boxes.size());
     std::uint64_t visits = 0;

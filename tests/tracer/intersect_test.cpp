@@ -25,7 +25,11 @@ Scene crowd(std::uint64_t seed) {
       case 1: add_sphere(s, {}, random.between(0.1, 1), m, then(scaling({1, 2, 0.5}), map)); break;
       case 2: add_box(s, at, at + Vec3{random(), random(), random()}, m); break;
       case 3: add_box(s, {0, 0, 0}, {1, 0.5, 2}, m, map); break;
-      case 4: add_facet(s, at, at + random.in_cube(2), at + random.in_cube(2), m); break;
+      case 4: {
+        const Vec3 b = at + random.in_cube(2);
+        add_facet(s, at, b, at + random.in_cube(2), m);
+        break;
+      }
       default: add_mesh(s, cube_mesh(i % 4 == 1), m, then(scaling({0.3, 0.5, 0.2}), map)); break;
     }
     if (i % 10 == 9) add_box(s, {-2, -2, -2}, {2, 2, at.z}, m);
