@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 #include <optional>
 #include <string>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "grammar/lexemes.hpp"
 #include "lang/keywords.hpp"
@@ -26,8 +25,8 @@ std::string_view token_at(const Builder& b, const char* at) {
   if (number != at) return {at, static_cast<std::size_t>(number - at)};
   if (*at == '"') return {at, 1};
   if (*at == '#') return {at, static_cast<std::size_t>(scan_color(at, end) - at)};
-  constexpr std::array<std::string_view, 14> k_long = {"..=", "&&", "||", "==", "!=", "<=", ">=", "->",
-                                                       "=>",  "++", "--", "+=", "-=", "**"};
+  constexpr std::array<std::string_view, 14> k_long = {
+      "..=", "&&", "||", "==", "!=", "<=", ">=", "->", "=>", "++", "--", "+=", "-=", "**"};
   const std::string_view rest(at, static_cast<std::size_t>(end - at));
   for (std::string_view sign : k_long) {
     if (rest.starts_with(sign)) return sign;
@@ -51,7 +50,8 @@ Span token_span(const Builder& b, const char* at) {
 /// Before a token on a later line, the message points behind the last one: there something is missing.
 Span place_of(const Builder& b, const char* at) {
   const std::string_view between = b.text().substr(b.last_end, b.offset(at) - b.last_end);
-  if (b.last_end > 0 && (at == end_of(b) || between.find('\n') != std::string_view::npos)) return b.span(b.last_end, b.last_end);
+  if (b.last_end > 0 && (at == end_of(b) || between.find('\n') != std::string_view::npos))
+    return b.span(b.last_end, b.last_end);
   return token_span(b, at);
 }
 
@@ -59,14 +59,10 @@ Span place_of(const Builder& b, const char* at) {
 std::string_view sign_help(std::string_view token) {
   using Pair = std::pair<std::string_view, std::string_view>;
   constexpr std::array k_help = {
-      Pair{"&&", "`&&` is `and`"},
-      Pair{"&", "`&` is `and`"},
-      Pair{"||", "`||` is `or`"},
-      Pair{"|", "`|` is `or`"},
-      Pair{"!", "`!` is `not`"},
-      Pair{"=>", "`=>` is `->`: fn (a) -> a + 1"},
-      Pair{"**", "`**` is `^`"},
-      Pair{"'", "strings stand in double quotes"},
+      Pair{"&&", "`&&` is `and`"}, Pair{"&", "`&` is `and`"},
+      Pair{"||", "`||` is `or`"},  Pair{"|", "`|` is `or`"},
+      Pair{"!", "`!` is `not`"},   Pair{"=>", "`=>` is `->`: fn (a) -> a + 1"},
+      Pair{"**", "`**` is `^`"},   Pair{"'", "strings stand in double quotes"},
   };
   for (const auto& [sign, help] : k_help) {
     if (sign == token) return help;
@@ -81,7 +77,8 @@ bool is_comparison(std::string_view token) {
 /// `rgb <1, 0, 0>`, POV-Ray's way to write a colour.
 bool is_foreign_color(const Builder& b, const char* at) {
   const std::string_view before = b.text().substr(0, b.last_end);
-  return *at == '<' && (before.ends_with("rgb") || before.ends_with("rgbf") || before.ends_with("rgbt") || before.ends_with("color"));
+  return *at == '<' && (before.ends_with("rgb") || before.ends_with("rgbf") || before.ends_with("rgbt") ||
+                        before.ends_with("color"));
 }
 
 /// Directly within a vector or an object's block, where a comparison needs parentheses.
@@ -103,13 +100,17 @@ std::string_view last_word(const Builder& b) {
 
 /// A variable that bears an attribute's name, where an attribute begins.
 bool is_shadowed_variable(const Builder& b, const char* at, Expectation expectation) {
-  const bool ends = *at == ',' || *at == '}' || *at == '.' || *at == '+' || *at == '-' || *at == '*' || *at == '/';
-  return expectation.role == Expectation::Role::value && ends && !b.kinds.empty() && lang::find_attribute(b.kinds.back(), last_word(b)) != nullptr;
+  const bool ends =
+      *at == ',' || *at == '}' || *at == '.' || *at == '+' || *at == '-' || *at == '*' || *at == '/';
+  return expectation.role == Expectation::Role::value && ends && !b.kinds.empty() &&
+         lang::find_attribute(b.kinds.back(), last_word(b)) != nullptr;
 }
 
 /// `center <0, 0, 0>, radius 1`: behind the comma the attribute's name was taken for a value.
 bool is_separated_attribute(const Builder& b, Expectation expectation) {
-  if (expectation.role != Expectation::Role::closer || b.kinds.empty() || b.brackets.empty() || b.text()[b.brackets.back()] != '{') return false;
+  if (expectation.role != Expectation::Role::closer || b.kinds.empty() || b.brackets.empty() ||
+      b.text()[b.brackets.back()] != '{')
+    return false;
   const std::string_view word = last_word(b);
   if (word.empty() || lang::find_attribute(b.kinds.back(), word) == nullptr) return false;
   const std::string_view before = b.text().substr(0, b.last_end - static_cast<std::uint32_t>(word.size()));
@@ -123,13 +124,17 @@ std::string help_for(const Builder& b, const char* at, Expectation expectation) 
   const std::string_view token = token_at(b, at);
   if (const std::string_view help = sign_help(token); !help.empty()) return std::string(help);
   if (is_shadowed_variable(b, at, expectation)) {
-    return fmt::format("here `{0}` is the attribute; a variable of that name is `{0} {0}` or `({0})`", last_word(b));
+    return fmt::format("here `{0}` is the attribute; a variable of that name is `{0} {0}` or `({0})`",
+                       last_word(b));
   }
-  if (is_separated_attribute(b, expectation)) return fmt::format("no comma stands before an attribute: `{}` was read as a value here", last_word(b));
-  if (std::string_view(expectation.wanted) == "a name for the loop's variable") return "a loop is `for i in 0..10 { .. }`, without parentheses";
+  if (is_separated_attribute(b, expectation))
+    return fmt::format("no comma stands before an attribute: `{}` was read as a value here", last_word(b));
+  if (std::string_view(expectation.wanted) == "a name for the loop's variable")
+    return "a loop is `for i in 0..10 { .. }`, without parentheses";
   if (is_foreign_color(b, at)) return "`rgb <1, 0, 0>` is `rgb(1, 0, 0)`";
   if (static_cast<unsigned char>(*at) >= 0x80) return "letters outside ASCII belong in strings and comments";
-  if (in_closed_place(b) && is_comparison(token)) return "in a vector or block a comparison stands in parentheses: `(a < b)`";
+  if (in_closed_place(b) && is_comparison(token))
+    return "in a vector or block a comparison stands in parentheses: `(a < b)`";
   if (token == "=" && expectation.role != Expectation::Role::value) {
     return b.kinds.empty() ? "equality is `==`" : "an attribute's value follows without `=`: `radius 1`";
   }
@@ -159,7 +164,8 @@ bool is_unclosed(const Builder& b, const char* at, Expectation expectation) {
   if (at == end_of(b)) return true;
   const char opener = b.text()[b.brackets.back()];
   if (opener == '"') return false;
-  if ((*at == ')' || *at == ']' || *at == '}') && *at != closer_of(opener)) return expectation.role == Expectation::Role::closer;
+  if ((*at == ')' || *at == ']' || *at == '}') && *at != closer_of(opener))
+    return expectation.role == Expectation::Role::closer;
   if (expectation.role != Expectation::Role::closer) return false;
   const char* line = at;
   while (line != b.text().data() && (line[-1] == ' ' || line[-1] == '\t')) --line;
@@ -171,7 +177,8 @@ bool is_unclosed(const Builder& b, const char* at, Expectation expectation) {
   const std::uint32_t opener = b.brackets.back();
   const char sign = b.text()[opener];
   const bool at_end = at == end_of(b);
-  SyntaxError out{error(Code::unclosed_bracket, b.span(opener, opener + 1), fmt::format("this `{}` is never closed", sign),
+  SyntaxError out{error(Code::unclosed_bracket, b.span(opener, opener + 1),
+                        fmt::format("this `{}` is never closed", sign),
                         at_end ? fmt::format("a `{}` is missing before the end of the file", closer_of(sign))
                                : fmt::format("a `{}` is missing before {}", closer_of(sign), found(b, at)))};
   if (!at_end) {
@@ -191,8 +198,13 @@ bool is_unclosed(const Builder& b, const char* at, Expectation expectation) {
   for (const auto& kind : lang::all_kinds()) kinds.push_back(kind.id);
   const std::string_view near = nearest(word, kinds);
   const std::string_view hint = lang::foreign_hint(word);
-  std::string help = !hint.empty() ? std::string(hint) : !near.empty() ? fmt::format("did you mean `{}`?", near) : std::string("the kinds are sphere, plane, cube, box, facet, mesh, group, light, sun, spot, view, material and settings");
-  throw SyntaxError{error(hint.empty() ? Code::syntax : Code::foreign_word, b.span(begin, end), fmt::format("`{}` is no kind of object", word), std::move(help))};
+  std::string help = !hint.empty()   ? std::string(hint)
+                     : !near.empty() ? fmt::format("did you mean `{}`?", near)
+                                     : std::string(
+                                           "the kinds are sphere, plane, cube, box, facet, mesh, group, "
+                                           "light, sun, spot, view, material and settings");
+  throw SyntaxError{error(hint.empty() ? Code::syntax : Code::foreign_word, b.span(begin, end),
+                          fmt::format("`{}` is no kind of object", word), std::move(help))};
 }
 
 /// The quote of a string around this place that does not end on its own line; nothing where there is none.
@@ -207,7 +219,8 @@ std::optional<std::uint32_t> broken_string(const Builder& b, const char* at) {
 
 /// Where the `}` of an interpolation should stand, the quote that was to end the string.
 bool is_open_interpolation(const Builder& b, const char* at, Expectation expectation) {
-  if (at == end_of(b) || *at != '"' || expectation.role != Expectation::Role::closer || b.brackets.size() < 2) return false;
+  if (at == end_of(b) || *at != '"' || expectation.role != Expectation::Role::closer || b.brackets.size() < 2)
+    return false;
   return b.text()[b.brackets.back()] == '{' && b.text()[b.brackets[b.brackets.size() - 2]] == '"';
 }
 
@@ -224,21 +237,25 @@ bool is_open_interpolation(const Builder& b, const char* at, Expectation expecta
 
 void check_reserved(const Builder& b, const char* at, Expectation expectation) {
   const std::string_view word = word_at(at, end_of(b));
-  const bool is_name = expectation.role == Expectation::Role::name || std::string_view(expectation.wanted).starts_with("a parameter's name");
+  const bool is_name = expectation.role == Expectation::Role::name ||
+                       std::string_view(expectation.wanted).starts_with("a parameter's name");
   if (!is_name || word.empty()) return;
-  throw SyntaxError{error(Code::reserved_word, token_span(b, at), fmt::format("`{}` is a reserved word and cannot be a name", word),
+  throw SyntaxError{error(Code::reserved_word, token_span(b, at),
+                          fmt::format("`{}` is a reserved word and cannot be a name", word),
                           fmt::format("choose another name, such as `my_{}` or `{}_1`", word, word))};
 }
 
 /// `a[0] = 1`, `v.x = 1`, `f(a) = a`: an `=` behind an expression that is no variable.
 void check_assigned(const Builder& b, const char* at, Expectation expectation) {
-  const bool is_assignment = at != end_of(b) && *at == '=' && std::string_view(expectation.wanted) == "a statement";
+  const bool is_assignment =
+      at != end_of(b) && *at == '=' && std::string_view(expectation.wanted) == "a statement";
   if (!is_assignment || b.stmts.empty() || b.stmts.back()->kind != ast::StmtKind::expression) return;
   const ast::Expr& target = *ast::as<ast::ExprStmt>(*b.stmts.back()).value;
   if (target.span.end != b.last_end) return;
   const bool is_call = target.kind == ast::ExprKind::call;
   throw SyntaxError{error(Code::cannot_assign, target.span, "only a variable can be assigned",
-                          is_call ? "a function is `fn name(a, b) = value`" : "lists and vectors are values: assign a new one to the variable")};
+                          is_call ? "a function is `fn name(a, b) = value`"
+                                  : "lists and vectors are values: assign a new one to the variable")};
 }
 
 /// The word that ended just before, where a `{` was found behind it.
@@ -258,8 +275,10 @@ void fail(Builder& b, const char* at, Expectation expectation) {
   check_reserved(b, at, expectation);
   check_assigned(b, at, expectation);
   check_unknown_kind(b, at);
-  if (at != end_of(b) && expectation.role == Expectation::Role::value) fail_if_foreign_statement(b, at, end_of(b));
-  SyntaxError out{error(code_for(b, at), place_of(b, at), fmt::format("expected {}, found {}", expectation.wanted, found(b, at)),
+  if (at != end_of(b) && expectation.role == Expectation::Role::value)
+    fail_if_foreign_statement(b, at, end_of(b));
+  SyntaxError out{error(code_for(b, at), place_of(b, at),
+                        fmt::format("expected {}, found {}", expectation.wanted, found(b, at)),
                         help_for(b, at, expectation))};
   out.last = at == end_of(b);
   b.incomplete = b.incomplete || out.last;
@@ -267,7 +286,8 @@ void fail(Builder& b, const char* at, Expectation expectation) {
 }
 
 void fail_too_deep(Builder& b, const char* at) {
-  SyntaxError out{error(Code::too_deep, token_span(b, at), "blocks and expressions are nested more than 1,000 deep",
+  SyntaxError out{error(Code::too_deep, token_span(b, at),
+                        "blocks and expressions are nested more than 1,000 deep",
                         "give inner parts a name with `let` or `fn`")};
   out.last = true;
   throw out;
@@ -284,14 +304,18 @@ void fail_unclosed_comment(Builder& b, const char* opener) {
 
 void fail_if_directive(Builder& b, const char* begin, const char* end) {
   const std::string_view word(begin + 1, static_cast<std::size_t>(end - begin - 1));
-  constexpr std::array<std::string_view, 17> k_directives = {"declare", "local", "macro", "include", "if", "else", "elseif", "end", "while",
-                                                             "for", "switch", "case", "ifdef", "ifndef", "version", "default", "debug"};
+  constexpr std::array<std::string_view, 17> k_directives = {
+      "declare", "local",  "macro", "include", "if",     "else",    "elseif",  "end",  "while",
+      "for",     "switch", "case",  "ifdef",   "ifndef", "version", "default", "debug"};
   if (std::find(k_directives.begin(), k_directives.end(), word) == k_directives.end()) return;
   std::string_view help = lang::foreign_hint(word);
   if (word == "include") help = "write include \"file.scn\", without `#`";
-  if (word == "if" || word == "while" || word == "for" || word == "else") help = "write it without `#`, with a block in braces";
+  if (word == "if" || word == "while" || word == "for" || word == "else")
+    help = "write it without `#`, with a block in braces";
   const std::uint32_t at = b.offset(begin);
-  throw SyntaxError{error(Code::foreign_word, b.span(at, b.offset(end)), fmt::format("`#{}` is a directive of POV-Ray's language", word), std::string(help))};
+  throw SyntaxError{error(Code::foreign_word, b.span(at, b.offset(end)),
+                          fmt::format("`#{}` is a directive of POV-Ray's language", word),
+                          std::string(help))};
 }
 
 void fail_if_foreign_statement(Builder& b, const char* at, const char* end) {
@@ -299,7 +323,8 @@ void fail_if_foreign_statement(Builder& b, const char* at, const char* end) {
   if (word.empty()) return;
   const std::uint32_t begin = b.offset(at);
   const Span word_span = b.span(begin, begin + static_cast<std::uint32_t>(word.size()));
-  if (word == "else") throw SyntaxError{error(Code::misplaced, word_span, "`else` follows the `}` of an `if`")};
+  if (word == "else")
+    throw SyntaxError{error(Code::misplaced, word_span, "`else` follows the `}` of an `if`")};
   if (word == "settings" && b.blocks > 0) return;
   if (lang::is_reserved(word)) return;
   const char* unclosed = nullptr;
@@ -309,8 +334,9 @@ void fail_if_foreign_statement(Builder& b, const char* at, const char* end) {
   for (std::string_view sign : {"+=", "-=", "*=", "/=", "++", "--"}) {
     if (!rest.starts_with(sign) || (sign[0] == sign[1] && word_at(next + 2, end) != "")) continue;
     const std::uint32_t place = b.offset(next);
-    throw SyntaxError{error(Code::foreign_word, b.span(place, place + 2), fmt::format("there is no `{}`", sign),
-                            fmt::format("write `{0} = {0} {1} {2}`", word, sign[0], sign[1] == '=' ? ".." : "1"))};
+    throw SyntaxError{
+        error(Code::foreign_word, b.span(place, place + 2), fmt::format("there is no `{}`", sign),
+              fmt::format("write `{0} = {0} {1} {2}`", word, sign[0], sign[1] == '=' ? ".." : "1"))};
   }
 }
 
@@ -320,13 +346,15 @@ void fail_if_foreign_color(const Builder& b, const char* at, const char* end) {
   end = std::min(end - at, k_farthest) + at;
   int depth = 0;
   int commas = 0;
-  for (const char* c = at + 1; c != end && depth >= 0 && *c != '{' && *c != '}' && *c != ';' && *c != '"'; ++c) {
+  for (const char* c = at + 1; c != end && depth >= 0 && *c != '{' && *c != '}' && *c != ';' && *c != '"';
+       ++c) {
     if (*c == '(' || *c == '[') ++depth;
     if (*c == ')' || *c == ']') --depth;
     if (*c == ',' && depth == 0) ++commas;
     if (*c != '>' || depth != 0) continue;
     if (commas < 2) return;
-    throw SyntaxError{error(Code::foreign_word, token_span(b, at), "expected `(`, found `<`", "`rgb <1, 0, 0>` is `rgb(1, 0, 0)`")};
+    throw SyntaxError{error(Code::foreign_word, token_span(b, at), "expected `(`, found `<`",
+                            "`rgb <1, 0, 0>` is `rgb(1, 0, 0)`")};
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// From "this rule did not match here" to a message that teaches: what was expected, what was found, and, where the
-// text smells of another language, what to write instead.
+// From "this rule did not match here" to a message that teaches: what was expected, what was found, and,
+// where the text smells of another language, what to write instead.
 
 #include "grammar/builder.hpp"
 

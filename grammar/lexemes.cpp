@@ -29,7 +29,8 @@ const char* skip_block_comment(const char* at, const char* end) {
 /// Moves over digits with `_` between them; false where a `_` stands elsewhere.
 bool take_digits(std::string_view s, std::size_t& i) {
   while (i < s.size() && (is_digit(s[i]) || s[i] == '_')) {
-    if (s[i] == '_' && (i == 0 || !is_digit(s[i - 1]) || i + 1 == s.size() || !is_digit(s[i + 1]))) return false;
+    if (s[i] == '_' && (i == 0 || !is_digit(s[i - 1]) || i + 1 == s.size() || !is_digit(s[i + 1])))
+      return false;
     ++i;
   }
   return true;
@@ -39,7 +40,11 @@ bool take_digits(std::string_view s, std::size_t& i) {
 std::size_t utf8_length(std::string_view rest) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(rest[i]); };
   const unsigned char lead = byte(0);
-  const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3 : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+  const std::size_t length = lead < 0x80                   ? 1
+                             : lead >= 0xC2 && lead < 0xE0 ? 2
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
   if (length == 0 || length > rest.size()) return 0;
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xC0) != 0x80) return 0;
@@ -82,8 +87,9 @@ const char* scan_number(const char* at, const char* end) {
   const char* c = at;
   if (c == end || !(is_digit(*c) || (*c == '.' && c + 1 != end && is_digit(c[1])))) return at;
   while (c != end) {
-    const bool exponent_sign = (*c == '+' || *c == '-') && c + 1 != end && is_digit(c[1]) && (c[-1] == 'e' || c[-1] == 'E') &&
-                               c - at >= 2 && (is_digit(c[-2]) || c[-2] == '.');
+    const bool exponent_sign = (*c == '+' || *c == '-') && c + 1 != end && is_digit(c[1]) &&
+                               (c[-1] == 'e' || c[-1] == 'E') && c - at >= 2 &&
+                               (is_digit(c[-2]) || c[-2] == '.');
     const bool point = *c == '.' && !(c + 1 != end && c[1] == '.');
     if (!is_word(*c) && !point && !exponent_sign) break;
     // The two dots of a range do not belong to the number before them.
@@ -143,11 +149,14 @@ std::vector<Diagnostic> check_text(std::string_view text, std::uint32_t file) {
     const std::size_t shown = length == 0 ? 1 : length;
     const Span span{file, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + shown)};
     if (length == 0) {
-      out.push_back(error(Code::bad_text, span, fmt::format("the byte {:#04x} is not valid UTF-8", static_cast<unsigned char>(text[i])),
-                          "scripts are UTF-8"));
+      out.push_back(
+          error(Code::bad_text, span,
+                fmt::format("the byte {:#04x} is not valid UTF-8", static_cast<unsigned char>(text[i])),
+                "scripts are UTF-8"));
     } else if (is_control(text, i, length)) {
       const unsigned code = static_cast<unsigned char>(text[i + length - 1]);
-      out.push_back(error(Code::bad_text, span, fmt::format("the control character U+{:04X} has no place in a script", code)));
+      out.push_back(error(Code::bad_text, span,
+                          fmt::format("the control character U+{:04X} has no place in a script", code)));
     }
     i += shown;
   }

@@ -8,9 +8,9 @@ namespace lancer::grammar::rules {
 template <class Rule>
 struct message;  // no general case
 
-#define LANCER_EXPECTS(ROLE, TEXT, ...) \
-  template <>                           \
-  struct message<__VA_ARGS__> {         \
+#define LANCER_EXPECTS(ROLE, TEXT, ...)                                \
+  template <>                                                          \
+  struct message<__VA_ARGS__> {                                        \
     static constexpr Expectation value{TEXT, Expectation::Role::ROLE}; \
   };
 

@@ -21,7 +21,8 @@ void parse_into(Builder& b) {
   const std::string_view text = b.text();
   tao::pegtl::memory_input<tao::pegtl::tracking_mode::lazy> in(text.data(), text.data() + text.size(), "");
   try {
-    if (!tao::pegtl::parse<rules::script, rules::action, control>(in, b)) fail(b, in.current(), {"a statement"});
+    if (!tao::pegtl::parse<rules::script, rules::action, control>(in, b))
+      fail(b, in.current(), {"a statement"});
   } catch (SyntaxError& problem) {
     b.report(std::move(problem.diagnostic));
   }
@@ -33,7 +34,8 @@ void merge(std::vector<Diagnostic>& into, std::vector<Diagnostic> more) {
     const auto same_place = [&](const Diagnostic& other) { return other.span.begin == d.span.begin; };
     if (std::none_of(into.begin(), into.end(), same_place)) into.push_back(std::move(d));
   }
-  std::stable_sort(into.begin(), into.end(), [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
+  std::stable_sort(into.begin(), into.end(),
+                   [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
 }
 
 }  // namespace

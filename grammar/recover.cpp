@@ -1,4 +1,5 @@
-// Where to go on after a mistake. Reads brackets, strings and comments, and knows the words that begin statements.
+// Where to go on after a mistake. Reads brackets, strings and comments, and knows the words that begin
+// statements.
 
 #include <algorithm>
 #include <vector>
@@ -65,7 +66,8 @@ const char* next_statement(std::string_view text, const char* start, const char*
       if (first_on_line(text, token) && column(text, token) <= start_column) return token;
     }
     if (*token == '(' || *token == '[' || *token == '{') open.push_back(*token);
-    if ((*token == ')' || *token == ']' || *token == '}') && !close(open, *token) && *token == '}' && behind) return token;
+    if ((*token == ')' || *token == ']' || *token == '}') && !close(open, *token) && *token == '}' && behind)
+      return token;
     if (behind && open.empty() && *token == ';') return next;
     at = next;
   }

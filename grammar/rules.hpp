@@ -1,7 +1,7 @@
 #pragma once
-// The grammar, bottom-up, one struct a production. White space and comments are taken behind each token. A rule asks
-// the Builder for context where the text alone does not decide: whether a bare comparison is allowed here, which kind's
-// attributes a word may be. `must<>` stands only behind a token that commits.
+// The grammar, bottom-up, one struct a production. White space and comments are taken behind each token. A
+// rule asks the Builder for context where the text alone does not decide: whether a bare comparison is
+// allowed here, which kind's attributes a word may be. `must<>` stands only behind a token that commits.
 
 #include <tao/pegtl.hpp>
 #include <tao/pegtl/contrib/analyze_traits.hpp>
@@ -10,7 +10,8 @@
 
 namespace lancer::grammar::rules {
 
-// --- Tokens --------------------------------------------------------------------------------------------------
+// --- Tokens
+// --------------------------------------------------------------------------------------------------
 
 /// A token ends here: its end is noted, and what is blank behind it is skipped.
 template <class Rule>
@@ -61,7 +62,8 @@ struct name : tok<plain_identifier> {};
 
 struct expression;
 
-// --- Literals ------------------------------------------------------------------------------------------------
+// --- Literals
+// ------------------------------------------------------------------------------------------------
 
 struct number : tok<number_text> {};
 /// `#f80`
@@ -70,24 +72,33 @@ struct truth : p::sor<k_true, k_false> {};
 
 struct string_text : p::plus<p::not_one<'"', '\\', '{', '\n'>> {};
 /// A backslash and what belongs to it, known or not.
-struct string_escape : p::seq<p::one<'\\'>, p::sor<p::seq<p::string<'u', '{'>, p::star<p::alnum>, p::opt<p::one<'}'>>>, p::not_one<'\n'>>> {};
+struct string_escape
+    : p::seq<p::one<'\\'>,
+             p::sor<p::seq<p::string<'u', '{'>, p::star<p::alnum>, p::opt<p::one<'}'>>>, p::not_one<'\n'>>> {
+};
 struct close_interpolation : p::seq<p::one<'}'>, token_end> {};
 /// `{expression}` in a string.
-struct interpolation : bracketed<p::seq<p::one<'{'>, token_end, blank>, p::must<with_comparisons<true, expression>>, p::must<close_interpolation>> {};
+struct interpolation : bracketed<p::seq<p::one<'{'>, token_end, blank>,
+                                 p::must<with_comparisons<true, expression>>, p::must<close_interpolation>> {
+};
 struct string_end : p::one<'"'> {};
-struct string : tok<bracketed<p::one<'"'>, p::star<p::sor<string_text, string_escape, interpolation>>, p::must<string_end>>> {};
+struct string : tok<bracketed<p::one<'"'>, p::star<p::sor<string_text, string_escape, interpolation>>,
+                              p::must<string_end>>> {};
 
-// --- Values --------------------------------------------------------------------------------------------------
+// --- Values
+// --------------------------------------------------------------------------------------------------
 
 /// An expression that may begin here or must.
 struct value : with_comparisons<false, expression> {};
 struct open_value : with_comparisons<true, expression> {};
 
 /// `<1, 2, 3>` or `<1, 2>`
-struct vector : bracketed<open_angle, p::must<value>, p::must<comma>, p::must<value>, p::opt<comma, p::must<value>>, p::must<close_angle>> {};
+struct vector : bracketed<open_angle, p::must<value>, p::must<comma>, p::must<value>,
+                          p::opt<comma, p::must<value>>, p::must<close_angle>> {};
 struct comma_or_bracket : p::sor<p::seq<comma, p::opt<p::at<p::one<']'>>>>, p::at<p::one<']'>>> {};
 /// `[a, b, c]`, with a trailing comma or without.
-struct list : bracketed<open_bracket, p::star<open_value, p::must<comma_or_bracket>>, p::must<close_bracket>> {};
+struct list
+    : bracketed<open_bracket, p::star<open_value, p::must<comma_or_bracket>>, p::must<close_bracket>> {};
 struct parenthesis : bracketed<open_paren, p::must<open_value>, p::must<close_paren>> {};
 struct constructed;
 struct variable : name {};
@@ -98,7 +109,8 @@ struct parameter_name : name {};
 struct parameter : p::seq<parameter_name, p::opt<fallback>> {};
 /// `(a, b = 2)`
 struct end_of_parameters : close_paren {};
-struct parameters : bracketed<open_paren, p::star<parameter, p::must<comma_or_paren>>, p::must<end_of_parameters>> {};
+struct parameters
+    : bracketed<open_paren, p::star<parameter, p::must<comma_or_paren>>, p::must<end_of_parameters>> {};
 struct scope;
 struct function_scope : in_function<scope> {};
 struct arrow_body : p::if_must<arrow, open_value> {};
@@ -106,12 +118,16 @@ struct function_body : p::sor<arrow_body, function_scope> {};
 /// `fn (a) -> a + 1` or `fn (a) { ... }`
 struct function : p::if_must<k_fn, parameters, function_body> {};
 
-struct primary : p::sor<number, string, vector, list, parenthesis, truth, function, constructed, variable, color> {};
+struct primary
+    : p::sor<number, string, vector, list, parenthesis, truth, function, constructed, variable, color> {};
 
-// --- Operators, tightest first -------------------------------------------------------------------------------
+// --- Operators, tightest first
+// -------------------------------------------------------------------------------
 
 /// `(a, b)` on the line on which what is called ends.
-struct call : p::seq<same_line, bracketed<open_paren, p::star<open_value, p::must<comma_or_paren>>, p::must<close_paren>>> {};
+struct call
+    : p::seq<same_line,
+             bracketed<open_paren, p::star<open_value, p::must<comma_or_paren>>, p::must<close_paren>>> {};
 /// `[i]`, likewise.
 struct index : p::seq<same_line, bracketed<open_bracket, p::must<open_value>, p::must<close_bracket>>> {};
 struct member : p::if_must<tok<p::seq<p::one<'.'>, p::not_at<p::one<'.'>>>>, member_name> {};
@@ -147,7 +163,8 @@ struct chained_range : p::if_must<p::sor<closed_range_sign, open_range_sign>, bo
 /// `a..b` and `a..=b`, which do not chain.
 struct range : p::seq<sum, p::opt<p::sor<closed_range, open_range>, p::opt<chained_range>>> {};
 
-struct compare_sign : tok<p::sor<p::string<'=', '='>, p::string<'!', '='>, p::string<'<', '='>, p::string<'>', '='>, p::one<'<', '>'>>> {};
+struct compare_sign : tok<p::sor<p::string<'=', '='>, p::string<'!', '='>, p::string<'<', '='>,
+                                 p::string<'>', '='>, p::one<'<', '>'>>> {};
 struct compared : p::seq<range> {};
 /// a < b: one comparison; more of them are told.
 struct comparison : p::seq<range, p::star<comparisons_allowed, compare_sign, p::must<compared>>> {};
@@ -165,7 +182,8 @@ struct choice : p::seq<question, p::must<alternative>, p::must<colon>, p::must<a
 struct conditional : p::seq<disjunction, p::opt<choice>> {};
 struct expression : deeper<conditional> {};
 
-// --- Blocks of objects and materials -------------------------------------------------------------------------
+// --- Blocks of objects and materials
+// -------------------------------------------------------------------------
 
 struct attribute_name : tok<known_attribute> {};
 struct first_value : value {};
@@ -175,17 +193,20 @@ struct plain_attribute : p::seq<attribute_name, p::must<values>> {};
 
 struct block_body;
 /// `material { ... }`: short for `material material { ... }`.
-struct short_material : p::seq<p::at<material_attribute>, tok<p::identifier>, in_material<deeper<block_body>>> {};
+struct short_material
+    : p::seq<p::at<material_attribute>, tok<p::identifier>, in_material<deeper<block_body>>> {};
 
 /// A name that is no attribute of this kind, with what seems to be its values.
 struct unknown_name : tok<unknown_attribute_name> {};
-struct unknown_attribute : p::seq<unknown_name, p::sor<p::at<p::one<'}'>>, foreign_braces, p::opt<values>>, leftovers> {};
+struct unknown_attribute
+    : p::seq<unknown_name, p::sor<p::at<p::one<'}'>>, foreign_braces, p::opt<values>>, leftovers> {};
 
 struct attribute : p::sor<short_material, plain_attribute> {};
 struct positional : p::seq<positional_start, first_value, p::star<comma, p::must<next_value>>> {};
 struct block_item : p::sor<semicolon, attribute, unknown_attribute> {};
 struct end_of_block : close_brace {};
-struct plain_braces : bracketed<open_brace, p::opt<positional>, p::star<block_item>, p::must<end_of_block>> {};
+struct plain_braces : bracketed<open_brace, p::opt<positional>, p::star<block_item>, p::must<end_of_block>> {
+};
 
 struct statement;
 struct checked_statement;
@@ -193,7 +214,9 @@ struct checked_statement;
 struct unknown_in_group : p::seq<p::at<unknown_group_attribute>, unknown_name, forgiving<p::opt<values>>> {};
 struct group_attribute : p::sor<attribute, unknown_in_group> {};
 struct group_item : p::sor<semicolon, recovering<group_attribute>, checked_statement> {};
-struct group_braces : bracketed<open_brace, in_block<p::star<p::not_at<p::one<'}'>>, p::not_at<p::eof>, group_item>>, p::must<close_brace>> {};
+struct group_braces
+    : bracketed<open_brace, in_block<p::star<p::not_at<p::one<'}'>>, p::not_at<p::eof>, group_item>>,
+                p::must<close_brace>> {};
 struct block_body : p::sor<p::seq<kind_is_group, p::must<group_braces>>, p::must<plain_braces>> {};
 
 struct block_name : string {};
@@ -201,9 +224,14 @@ struct kind_word : tok<kind_identifier> {};
 /// kind "name" { ... }
 struct constructed : p::seq<kind_word, in_kind<p::opt<block_name>, block_body>> {};
 
-// --- Statements ----------------------------------------------------------------------------------------------
+// --- Statements
+// ----------------------------------------------------------------------------------------------
 
-struct scope_braces : bracketed<open_brace, in_block<p::star<p::sor<semicolon, p::seq<p::not_at<p::one<'}'>>, p::not_at<p::eof>, checked_statement>>>>, p::must<close_brace>> {};
+struct scope_braces
+    : bracketed<open_brace,
+                in_block<p::star<
+                    p::sor<semicolon, p::seq<p::not_at<p::one<'}'>>, p::not_at<p::eof>, checked_statement>>>>,
+                p::must<close_brace>> {};
 /// Statements in braces.
 struct scope : deeper<scope_braces> {};
 
@@ -214,12 +242,14 @@ struct let : p::if_must<k_let, let_name, let_equals, open_value> {};
 struct function_name : name {};
 struct equals_body : p::if_must<equals, open_value> {};
 struct named_body : p::sor<equals_body, function_scope> {};
-struct function_statement : p::seq<p::at<k_fn, p::not_at<p::one<'('>>>, p::if_must<k_fn, function_name, parameters, named_body>> {};
+struct function_statement
+    : p::seq<p::at<k_fn, p::not_at<p::one<'('>>>, p::if_must<k_fn, function_name, parameters, named_body>> {};
 
 struct condition : open_value {};
 struct branch_scope : p::seq<scope> {};
 struct branch;
-struct else_part : p::seq<k_else, p::sor<p::seq<k_if, p::must<condition, branch_scope>>, p::must<branch_scope>>> {};
+struct else_part
+    : p::seq<k_else, p::sor<p::seq<k_if, p::must<condition, branch_scope>>, p::must<branch_scope>>> {};
 struct branch : p::seq<k_if, p::must<condition, branch_scope>, p::star<else_part>> {};
 
 struct loop_scope : in_loop<scope> {};
@@ -241,15 +271,19 @@ struct settings_braces : plain_braces {};
 struct settings : p::seq<k_settings, in_settings<p::must<settings_braces>>> {};
 
 struct target : name {};
-struct assign : p::seq<p::at<name, p::one<'='>, p::not_at<p::one<'='>>>, target, equals, p::must<open_value>> {};
+struct assign
+    : p::seq<p::at<name, p::one<'='>, p::not_at<p::one<'='>>>, target, equals, p::must<open_value>> {};
 struct expression_statement : open_value {};
 
-struct statement : p::seq<not_foreign, p::sor<let, function_statement, branch, for_loop, while_loop, break_loop, continue_loop, give_back,
-                          include, modify, remove, settings, assign, expression_statement>> {};
+struct statement
+    : p::seq<not_foreign,
+             p::sor<let, function_statement, branch, for_loop, while_loop, break_loop, continue_loop,
+                    give_back, include, modify, remove, settings, assign, expression_statement>> {};
 /// A statement, or a mistake that is reported and skipped.
 struct checked_statement : recovering<p::must<statement>> {};
 
 struct stray_brace : tok<p::one<'}'>> {};
-struct script : p::seq<byte_order_mark, blank, p::until<p::eof, p::sor<semicolon, stray_brace, checked_statement>>> {};
+struct script
+    : p::seq<byte_order_mark, blank, p::until<p::eof, p::sor<semicolon, stray_brace, checked_statement>>> {};
 
 }  // namespace lancer::grammar::rules

@@ -23,7 +23,9 @@ class MemoryHost : public session::Host {
   std::string canonical(const std::string& path) override {
     if (path.empty() || path == "." || path == "/") return "/";
     const std::string absolute = path.starts_with('/') ? path : "/" + path;
-    const auto is_there = [&](const auto& file) { return file.first == absolute || file.first.starts_with(absolute + "/"); };
+    const auto is_there = [&](const auto& file) {
+      return file.first == absolute || file.first.starts_with(absolute + "/");
+    };
     return std::any_of(files.begin(), files.end(), is_there) ? absolute : std::string{};
   }
   void print(std::string_view text) override { printed += text; }

@@ -1,5 +1,6 @@
 #pragma once
-// From the values of a block to a checked object: forms, defaults, refusals. What leaves here needs no more checks.
+// From the values of a block to a checked object: forms, defaults, refusals. What leaves here needs no more
+// checks.
 
 #include <span>
 #include <vector>
@@ -11,8 +12,8 @@
 
 namespace lancer::lang {
 
-/// The evaluated attributes of a block, in the order written; `values` are parallel to the expressions, which say
-/// where each came from.
+/// The evaluated attributes of a block, in the order written; `values` are parallel to the expressions, which
+/// say where each came from.
 struct AttributeValues {
   const ast::Attribute* attribute;
   std::vector<Value> values;
@@ -25,7 +26,8 @@ struct BlockValues {
   std::vector<AttributeValues> attributes;
 };
 
-/// A shape, light or view. Throws ScriptError at the value at fault; adds warnings (a cube's face that is no square).
+/// A shape, light or view. Throws ScriptError at the value at fault; adds warnings (a cube's face that is no
+/// square).
 Ref<Object> build_object(const BlockValues& values, Meter& meter, std::vector<Diagnostic>& warnings);
 
 /// A group of `members` with the block's attributes, which hold for all of them.
@@ -36,7 +38,8 @@ Ref<Object> build_call_group(Span call, std::vector<Ref<Object>> members);
 
 Ref<MaterialData> build_material(const BlockValues& values);
 
-/// Sets what the block gives; the attributes set before, of which a second setting is a warning, are in `seen`.
+/// Sets what the block gives; the attributes set before, of which a second setting is a warning, are in
+/// `seen`.
 void apply_settings(const std::vector<AttributeValues>& attributes, scene::Settings& settings,
                     std::vector<std::string_view>& seen, std::vector<Diagnostic>& warnings);
 
@@ -44,8 +47,9 @@ void apply_settings(const std::vector<AttributeValues>& attributes, scene::Setti
 /// Throws ScriptError(no_member) at `span`.
 Value member(const Value& value, std::string_view id, Span span);
 
-/// Places everything that was added in a Scene, groups dissolved. Throws ScriptError(not_finite or singular) at the
-/// object whose transform, with those of its groups, goes out of bounds, or Interrupted.
-scene::Scene build_scene(const std::vector<Ref<Object>>& objects, const scene::Settings& settings, Meter& meter);
+/// Places everything that was added in a Scene, groups dissolved. Throws ScriptError(not_finite or singular)
+/// at the object whose transform, with those of its groups, goes out of bounds, or Interrupted.
+scene::Scene build_scene(const std::vector<Ref<Object>>& objects, const scene::Settings& settings,
+                         Meter& meter);
 
 }  // namespace lancer::lang

@@ -56,8 +56,8 @@ std::string short_text(const Value& v) {
 [[noreturn]] void refuse_operands(std::string_view sign, const Value& a, const Value& b, Span span) {
   if (a.is(Type::vector) && b.is(Type::vector)) {
     throw ScriptError(Code::wrong_type, span,
-                      fmt::format("`{}` wants vectors of the same length; these have {} and {} numbers",
-                                  sign, a.dimension(), b.dimension()));
+                      fmt::format("`{}` wants vectors of the same length; these have {} and {} numbers", sign,
+                                  a.dimension(), b.dimension()));
   }
   std::string help;
   if (sign == "+" && (a.is(Type::string) || b.is(Type::string))) {
@@ -66,8 +66,8 @@ std::string short_text(const Value& v) {
     help = "lists are joined by `concat(a, b)`";
   }
   throw ScriptError(Code::wrong_type, span,
-                    fmt::format("`{}` wants numbers or vectors; here it has {} and {}", sign,
-                                with_article(a), with_article(b)),
+                    fmt::format("`{}` wants numbers or vectors; here it has {} and {}", sign, with_article(a),
+                                with_article(b)),
                     std::move(help));
 }
 

@@ -28,8 +28,9 @@ struct Evaluated {
   std::uint64_t steps = 0;
 };
 
-/// Runs the first of `scripts` (the others as it includes them). Throws Interrupted; a script's own error is among
-/// the diagnostics.
-Evaluated evaluate(const std::vector<ast::Script*>& scripts, const Resolved& resolved, const EvaluateOptions& options);
+/// Runs the first of `scripts` (the others as it includes them). Throws Interrupted; a script's own error is
+/// among the diagnostics.
+Evaluated evaluate(const std::vector<ast::Script*>& scripts, const Resolved& resolved,
+                   const EvaluateOptions& options);
 
 }  // namespace lancer::lang

@@ -15,55 +15,97 @@ constexpr AttributeInfo k_rotate{"rotate", 1, 2, true};
 constexpr AttributeInfo k_material{"material"};
 constexpr AttributeInfo k_shadow{"shadow"};
 
-constexpr std::array k_sphere{AttributeInfo{"center"}, AttributeInfo{"radius"}, k_translate, k_scale,
-                              k_rotate,                k_material,              k_shadow};
-constexpr std::array k_plane{
-    AttributeInfo{"point"}, AttributeInfo{"normal"}, AttributeInfo{"points", 3, 3}, k_translate, k_scale, k_rotate,
-    k_material,             k_shadow};
-constexpr std::array k_cube{AttributeInfo{"center"}, AttributeInfo{"side"}, AttributeInfo{"points", 3, 3},
-                            k_translate,             k_scale,               k_rotate,
-                            k_material,              k_shadow};
-constexpr std::array k_box{AttributeInfo{"corners", 2, 2}, k_translate, k_scale, k_rotate, k_material, k_shadow};
-constexpr std::array k_facet{
-    AttributeInfo{"points", 3, 3}, AttributeInfo{"normals", 3, 3}, k_translate, k_scale, k_rotate, k_material, k_shadow};
-constexpr std::array k_mesh{AttributeInfo{"file"},   AttributeInfo{"points"}, AttributeInfo{"faces"},
-                            AttributeInfo{"smooth"}, AttributeInfo{"solid"},  k_translate,
-                            k_scale,                 k_rotate,                k_material,
+constexpr std::array k_sphere{
+    AttributeInfo{"center"}, AttributeInfo{"radius"}, k_translate, k_scale, k_rotate, k_material, k_shadow};
+constexpr std::array k_plane{AttributeInfo{"point"},
+                             AttributeInfo{"normal"},
+                             AttributeInfo{"points", 3, 3},
+                             k_translate,
+                             k_scale,
+                             k_rotate,
+                             k_material,
+                             k_shadow};
+constexpr std::array k_cube{AttributeInfo{"center"},
+                            AttributeInfo{"side"},
+                            AttributeInfo{"points", 3, 3},
+                            k_translate,
+                            k_scale,
+                            k_rotate,
+                            k_material,
+                            k_shadow};
+constexpr std::array k_box{
+    AttributeInfo{"corners", 2, 2}, k_translate, k_scale, k_rotate, k_material, k_shadow};
+constexpr std::array k_facet{AttributeInfo{"points", 3, 3},
+                             AttributeInfo{"normals", 3, 3},
+                             k_translate,
+                             k_scale,
+                             k_rotate,
+                             k_material,
+                             k_shadow};
+constexpr std::array k_mesh{AttributeInfo{"file"},
+                            AttributeInfo{"points"},
+                            AttributeInfo{"faces"},
+                            AttributeInfo{"smooth"},
+                            AttributeInfo{"solid"},
+                            k_translate,
+                            k_scale,
+                            k_rotate,
+                            k_material,
                             k_shadow};
 constexpr std::array k_group{k_translate, k_scale, k_rotate, k_material, k_shadow};
 constexpr std::array k_light{
     AttributeInfo{"at"}, AttributeInfo{"color"}, AttributeInfo{"falloff"}, k_translate, k_scale, k_rotate};
-constexpr std::array k_sun{AttributeInfo{"direction"}, AttributeInfo{"color"}, k_translate, k_scale, k_rotate};
-constexpr std::array k_spot{AttributeInfo{"at"},       AttributeInfo{"look_at"}, AttributeInfo{"angle"},
-                            AttributeInfo{"softness"}, AttributeInfo{"color"},   AttributeInfo{"falloff"},
-                            k_translate,               k_scale,                  k_rotate};
-constexpr std::array k_view{
-    AttributeInfo{"eye"},   AttributeInfo{"look"},       AttributeInfo{"look_at"},       AttributeInfo{"up"},
-    AttributeInfo{"fov"},   AttributeInfo{"width"},      AttributeInfo{"corners", 3, 3}, AttributeInfo{"size", 2, 2},
-    k_translate,            k_scale,                     k_rotate};
-constexpr std::array k_material_attributes{
-    AttributeInfo{"from"},         AttributeInfo{"diffuse"},   AttributeInfo{"color"},
-    AttributeInfo{"ambient"},      AttributeInfo{"specular"},  AttributeInfo{"shininess"},
-    AttributeInfo{"reflection"},   AttributeInfo{"transmission"}, AttributeInfo{"ior"},
-    AttributeInfo{"fresnel"}};
+constexpr std::array k_sun{AttributeInfo{"direction"}, AttributeInfo{"color"}, k_translate, k_scale,
+                           k_rotate};
+constexpr std::array k_spot{AttributeInfo{"at"},
+                            AttributeInfo{"look_at"},
+                            AttributeInfo{"angle"},
+                            AttributeInfo{"softness"},
+                            AttributeInfo{"color"},
+                            AttributeInfo{"falloff"},
+                            k_translate,
+                            k_scale,
+                            k_rotate};
+constexpr std::array k_view{AttributeInfo{"eye"},
+                            AttributeInfo{"look"},
+                            AttributeInfo{"look_at"},
+                            AttributeInfo{"up"},
+                            AttributeInfo{"fov"},
+                            AttributeInfo{"width"},
+                            AttributeInfo{"corners", 3, 3},
+                            AttributeInfo{"size", 2, 2},
+                            k_translate,
+                            k_scale,
+                            k_rotate};
+constexpr std::array k_material_attributes{AttributeInfo{"from"},       AttributeInfo{"diffuse"},
+                                           AttributeInfo{"color"},      AttributeInfo{"ambient"},
+                                           AttributeInfo{"specular"},   AttributeInfo{"shininess"},
+                                           AttributeInfo{"reflection"}, AttributeInfo{"transmission"},
+                                           AttributeInfo{"ior"},        AttributeInfo{"fresnel"}};
 constexpr std::array k_settings{AttributeInfo{"background"}, AttributeInfo{"ambient"}, AttributeInfo{"depth"},
                                 AttributeInfo{"ior"},        AttributeInfo{"shadows"}, AttributeInfo{"sum"},
                                 AttributeInfo{"exposure"}};
 
-constexpr std::array k_kinds{
-    KindInfo{Kind::sphere, "sphere", k_sphere, 2}, KindInfo{Kind::plane, "plane", k_plane, 3},
-    KindInfo{Kind::cube, "cube", k_cube, 3},       KindInfo{Kind::box, "box", k_box, 2},
-    KindInfo{Kind::facet, "facet", k_facet, 3},    KindInfo{Kind::mesh, "mesh", k_mesh, 0},
-    KindInfo{Kind::group, "group", k_group, 0},    KindInfo{Kind::light, "light", k_light, 0},
-    KindInfo{Kind::sun, "sun", k_sun, 0},          KindInfo{Kind::spot, "spot", k_spot, 0},
-    KindInfo{Kind::view, "view", k_view, 0},       KindInfo{Kind::material, "material", k_material_attributes, 0},
-    KindInfo{Kind::settings, "settings", k_settings, 0}};
+constexpr std::array k_kinds{KindInfo{Kind::sphere, "sphere", k_sphere, 2},
+                             KindInfo{Kind::plane, "plane", k_plane, 3},
+                             KindInfo{Kind::cube, "cube", k_cube, 3},
+                             KindInfo{Kind::box, "box", k_box, 2},
+                             KindInfo{Kind::facet, "facet", k_facet, 3},
+                             KindInfo{Kind::mesh, "mesh", k_mesh, 0},
+                             KindInfo{Kind::group, "group", k_group, 0},
+                             KindInfo{Kind::light, "light", k_light, 0},
+                             KindInfo{Kind::sun, "sun", k_sun, 0},
+                             KindInfo{Kind::spot, "spot", k_spot, 0},
+                             KindInfo{Kind::view, "view", k_view, 0},
+                             KindInfo{Kind::material, "material", k_material_attributes, 0},
+                             KindInfo{Kind::settings, "settings", k_settings, 0}};
 
-constexpr std::array<std::string_view, 18> k_words{"let", "fn", "return", "if", "else", "for", "in", "while", "break", "continue",
-                             "include", "modify", "remove", "true", "false", "and", "or", "not"};
+constexpr std::array<std::string_view, 18> k_words{
+    "let",      "fn",      "return", "if",     "else", "for",   "in",  "while", "break",
+    "continue", "include", "modify", "remove", "true", "false", "and", "or",    "not"};
 
-constexpr std::array<std::string_view, 11> k_statement_words{"let", "fn", "return", "if", "for", "while", "break",
-                                                             "continue", "include", "modify", "remove"};
+constexpr std::array<std::string_view, 11> k_statement_words{
+    "let", "fn", "return", "if", "for", "while", "break", "continue", "include", "modify", "remove"};
 
 using Hint = std::pair<std::string_view, std::string_view>;
 constexpr std::array k_hints{
@@ -82,7 +124,8 @@ constexpr std::array k_hints{
     Hint{"merge", "objects are put together by `group { .. }`"},
     Hint{"difference", "there are no solid differences; objects are put together by `group { .. }`"},
     Hint{"intersection", "there are no solid intersections; objects are put together by `group { .. }`"},
-    Hint{"object", "an object is a value: write its name as a statement, or `group { name  translate <1, 0, 0> }`"},
+    Hint{"object",
+         "an object is a value: write its name as a statement, or `group { name  translate <1, 0, 0> }`"},
     Hint{"triangle", "a triangle is `facet { a, b, c }`"},
     Hint{"smooth_triangle", "a smooth triangle is `facet { a, b, c  normals na, nb, nc }`"},
     Hint{"polygon", "polygons are made of `facet { a, b, c }` or `mesh { points [..] faces [..] }`"},
@@ -133,7 +176,8 @@ const KindInfo& kind_info(Kind kind) { return k_kinds[static_cast<std::size_t>(k
 std::span<const KindInfo> all_kinds() { return k_kinds; }
 
 std::optional<Kind> find_kind(std::string_view word) {
-  const auto* found = std::find_if(k_kinds.begin(), k_kinds.end(), [&](const KindInfo& k) { return k.id == word; });
+  const auto* found =
+      std::find_if(k_kinds.begin(), k_kinds.end(), [&](const KindInfo& k) { return k.id == word; });
   if (found == k_kinds.end()) return std::nullopt;
   return found->kind;
 }
@@ -159,7 +203,8 @@ bool is_reserved(std::string_view word) {
 std::span<const std::string_view> statement_words() { return k_statement_words; }
 
 std::string_view foreign_hint(std::string_view word) {
-  const auto* found = std::find_if(k_hints.begin(), k_hints.end(), [&](const Hint& h) { return h.first == word; });
+  const auto* found =
+      std::find_if(k_hints.begin(), k_hints.end(), [&](const Hint& h) { return h.first == word; });
   return found == k_hints.end() ? std::string_view{} : found->second;
 }
 

@@ -41,8 +41,8 @@ const AttributeInfo* find_attribute(std::string_view word);
 bool is_reserved(std::string_view word);
 std::span<const std::string_view> statement_words();
 
-/// What people who come from POV-Ray, C, OpenSCAD or Python write, and the Lancer way: ("location", "the eye of a
-/// view is `eye`"). Empty when the word rings no bell.
+/// What people who come from POV-Ray, C, OpenSCAD or Python write, and the Lancer way: ("location", "the eye
+/// of a view is `eye`"). Empty when the word rings no bell.
 std::string_view foreign_hint(std::string_view word);
 
 }  // namespace lancer::lang

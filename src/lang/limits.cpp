@@ -1,8 +1,7 @@
 #include "lang/limits.hpp"
 
-#include <limits>
-
 #include <fmt/format.h>
+#include <limits>
 
 #include "lang/script_error.hpp"
 
@@ -12,7 +11,8 @@ constexpr std::uint64_t k_steps_between_looks = 4096;
 }
 
 Meter::Meter(const Limits& limits, const std::atomic<bool>* interrupt)
-    : limit_(limits.steps == 0 ? std::numeric_limits<std::uint64_t>::max() : limits.steps), interrupt_(interrupt) {}
+    : limit_(limits.steps == 0 ? std::numeric_limits<std::uint64_t>::max() : limits.steps),
+      interrupt_(interrupt) {}
 
 void Meter::check(Span where) {
   if (interrupt_ != nullptr && interrupt_->load(std::memory_order_relaxed)) throw Interrupted{};

@@ -15,8 +15,8 @@ struct Limits {
   std::uint32_t calls = 10'000;
 };
 
-/// Counts steps: a statement, a call, an iteration, or an element or 64 characters produced, copied or compared.
-/// Looks at `interrupt` now and then.
+/// Counts steps: a statement, a call, an iteration, or an element or 64 characters produced, copied or
+/// compared. Looks at `interrupt` now and then.
 class Meter {
  public:
   Meter(const Limits& limits, const std::atomic<bool>* interrupt);

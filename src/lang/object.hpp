@@ -1,6 +1,6 @@
 #pragma once
-// Shapes, groups, lights and views as values of the language: what was written, checked, and ready to be placed in
-// a Scene. Objects are immutable; groups share their members.
+// Shapes, groups, lights and views as values of the language: what was written, checked, and ready to be
+// placed in a Scene. Objects are immutable; groups share their members.
 
 #include <cstdint>
 #include <memory>
@@ -32,15 +32,15 @@ using Record = std::variant<std::monostate, scene::Sphere, scene::Plane, BoxReco
 
 struct Object : Shared {
   ast::Kind kind = ast::Kind::group;
-  std::string name;                  // empty when none was given
-  Span source;                       // the whole block, or the call that made this group
-  std::vector<Written> written;      // transforms, material and shadow aside
+  std::string name;              // empty when none was given
+  Span source;                   // the whole block, or the call that made this group
+  std::vector<Written> written;  // transforms, material and shadow aside
   Record record;
-  Affine transform;                  // of all the transforms, in the order written
-  Ref<MaterialData> material;        // null where none was set
+  Affine transform;            // of all the transforms, in the order written
+  Ref<MaterialData> material;  // null where none was set
   std::optional<bool> shadow;
   std::vector<Ref<Object>> members;  // of a group
-  std::uint64_t count = 1;           // objects in all: this one and, of a group, its members, shared ones each time
+  std::uint64_t count = 1;  // objects in all: this one and, of a group, its members, shared ones each time
 };
 
 }  // namespace lancer::lang

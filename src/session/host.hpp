@@ -1,6 +1,6 @@
 #pragma once
-// What a session needs from the outside: files and somewhere to print. The core touches neither disk nor console, so
-// a new front end is one small class.
+// What a session needs from the outside: files and somewhere to print. The core touches neither disk nor
+// console, so a new front end is one small class.
 
 #include <string>
 #include <string_view>

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fmt/format.h>
 #include <iterator>
 #include <optional>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "grammar/parse.hpp"
 
@@ -24,7 +23,8 @@ bool is_under(const std::string& path, const std::string& folder) {
 /// One load: the files read so far, and those that are still being read.
 class Loader {
  public:
-  Loader(Host& host, SourceMap& sources, const RunOptions& options) : host_(host), sources_(sources), options_(options) {}
+  Loader(Host& host, SourceMap& sources, const RunOptions& options)
+      : host_(host), sources_(sources), options_(options) {}
 
   Loaded run(Start start) {
     allowed_.push_back(host_.canonical(start.folder.empty() ? "." : start.folder));
@@ -40,7 +40,7 @@ class Loader {
 
  private:
   struct Found {
-    std::string name;       // as messages call it
+    std::string name;  // as messages call it
     std::string canonical;
   };
 
@@ -64,12 +64,17 @@ class Loader {
     };
     if (!found) {
       refuse(Code::include_missing, fmt::format("there is no file \"{}\"", include.path),
-             "files are looked for beside the including one, then in the folders given with -I, then in the library");
-    } else if (std::none_of(allowed_.begin(), allowed_.end(), [&](const auto& a) { return is_under(found->canonical, a); })) {
-      refuse(Code::include_outside, fmt::format("\"{}\" lies outside the folders that this script may read", include.path),
+             "files are looked for beside the including one, then in the folders given with -I, then in the "
+             "library");
+    } else if (std::none_of(allowed_.begin(), allowed_.end(),
+                            [&](const auto& a) { return is_under(found->canonical, a); })) {
+      refuse(Code::include_outside,
+             fmt::format("\"{}\" lies outside the folders that this script may read", include.path),
              "a script reads files under its own folder, folders given with -I, and the library");
     } else if (std::find(reading_.begin(), reading_.end(), found->canonical) != reading_.end()) {
-      refuse(Code::include_cycle, fmt::format("\"{}\" is still being read: files include each other in a circle", include.path), "");
+      refuse(Code::include_cycle,
+             fmt::format("\"{}\" is still being read: files include each other in a circle", include.path),
+             "");
     } else if (std::find(read_.begin(), read_.end(), found->canonical) == read_.end()) {
       include.script = read(*found, include.path_span);
     }
@@ -78,14 +83,15 @@ class Loader {
   std::uint32_t read(const Found& found, Span where) {
     FileText file = host_.read(found.canonical);
     if (file.status != FileText::Status::read) {
-      out_.diagnostics.push_back(error(Code::include_missing, where, fmt::format("\"{}\" cannot be read: {}", found.name, file.problem)));
+      out_.diagnostics.push_back(error(Code::include_missing, where,
+                                       fmt::format("\"{}\" cannot be read: {}", found.name, file.problem)));
       if (out_.problem.empty()) out_.problem = fmt::format("cannot read {}: {}", found.name, file.problem);
       return ast::k_no_script;
     }
     read_.push_back(found.canonical);
     reading_.push_back(found.canonical);
-    const std::uint32_t index =
-        parse({found.name, std::move(file.text), found.canonical, fs::path(found.name).parent_path().string()});
+    const std::uint32_t index = parse(
+        {found.name, std::move(file.text), found.canonical, fs::path(found.name).parent_path().string()});
     reading_.pop_back();
     return index;
   }

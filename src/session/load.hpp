@@ -21,8 +21,8 @@ struct Loaded {
   std::vector<ast::Script*> pointers();
 };
 
-/// A text to start from: `name` is what messages call it, `canonical` its real path (empty for no file), `folder` what
-/// its includes are relative to.
+/// A text to start from: `name` is what messages call it, `canonical` its real path (empty for no file),
+/// `folder` what its includes are relative to.
 struct Start {
   std::string name;
   std::string text;

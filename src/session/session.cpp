@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fmt/format.h>
 #include <iterator>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "base/deep_stack.hpp"
 #include "grammar/parse.hpp"
@@ -20,8 +19,9 @@ namespace {
 
 bool is_name(std::string_view text) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-  return !text.empty() && is_letter(text[0]) &&
-         std::all_of(text.begin(), text.end(), [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
+  return !text.empty() && is_letter(text[0]) && std::all_of(text.begin(), text.end(), [&](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9');
+  });
 }
 
 void append(std::vector<Diagnostic>& to, std::vector<Diagnostic> more) {
@@ -29,7 +29,8 @@ void append(std::vector<Diagnostic>& to, std::vector<Diagnostic> more) {
 }
 
 /// Where text was not understood, names that it may have made are not known to be missing.
-void drop_consequences(std::vector<Diagnostic>& diagnostics, const std::vector<Span>& skipped, const SourceMap& sources) {
+void drop_consequences(std::vector<Diagnostic>& diagnostics, const std::vector<Span>& skipped,
+                       const SourceMap& sources) {
   std::erase_if(diagnostics, [&](const Diagnostic& d) {
     if (d.severity != Severity::error) return true;
     if (d.code != Code::unknown_name && d.code != Code::cannot_assign) return false;
@@ -62,7 +63,8 @@ bool Session::State::parse_defines(const RunOptions& options, std::vector<lang::
       run.problem = fmt::format("`{}` is no name for a variable", define.name);
       return false;
     }
-    const std::uint32_t file = sources->add("-D " + define.name, fmt::format("let {} = {}", define.name, define.value));
+    const std::uint32_t file =
+        sources->add("-D " + define.name, fmt::format("let {} = {}", define.name, define.value));
     grammar::Parsed parsed = grammar::parse(*sources, file);
     append(run.diagnostics, std::move(parsed.diagnostics));
     if (has_errors(run.diagnostics)) return false;
@@ -117,7 +119,8 @@ Run Session::State::start(Start start, const RunOptions& options) {
     }
   });
   if (run.outcome != Outcome::fine) return run;
-  if (has_errors(run.diagnostics)) run.outcome = run.problem.empty() ? Outcome::script_wrong : Outcome::unreadable;
+  if (has_errors(run.diagnostics))
+    run.outcome = run.problem.empty() ? Outcome::script_wrong : Outcome::unreadable;
   return run;
 }
 
@@ -131,7 +134,8 @@ bool read_start(Host& host, const std::string& path, Start& start, Run& run) {
   start.name = path;
   start.canonical = host.canonical(path);
   start.folder = std::filesystem::path(path).parent_path().string();
-  FileText file = start.canonical.empty() ? FileText{FileText::Status::missing, {}, "no such file"} : host.read(start.canonical);
+  FileText file = start.canonical.empty() ? FileText{FileText::Status::missing, {}, "no such file"}
+                                          : host.read(start.canonical);
   if (file.status == FileText::Status::read) {
     start.text = std::move(file.text);
     return true;
@@ -150,7 +154,8 @@ Run Session::run_file(const std::string& path, const RunOptions& options) {
   return state_->start(std::move(start), options);
 }
 
-Run Session::run_text(const std::string& name, std::string text, const std::string& folder, const RunOptions& options) {
+Run Session::run_text(const std::string& name, std::string text, const std::string& folder,
+                      const RunOptions& options) {
   return state_->start({name, std::move(text), {}, folder}, options);
 }
 
@@ -189,10 +194,12 @@ std::string Session::view_name(std::size_t index) const {
   if (views.empty()) return "automatic";
   if (views[index].name != 0) return state_->scene.names[views[index].name];
   const auto last = views.begin() + static_cast<std::ptrdiff_t>(index) + 1;
-  return fmt::format("view {}", std::count_if(views.begin(), last, [](const scene::View& v) { return v.name == 0; }));
+  return fmt::format("view {}",
+                     std::count_if(views.begin(), last, [](const scene::View& v) { return v.name == 0; }));
 }
 
-tracer::Rendered Session::render(const scene::View& view, const tracer::Options& options, const tracer::Watch& watch) const {
+tracer::Rendered Session::render(const scene::View& view, const tracer::Options& options,
+                                 const tracer::Watch& watch) const {
   return tracer::render(state_->scene, view, options, watch);
 }
 

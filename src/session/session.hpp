@@ -16,7 +16,8 @@
 
 namespace lancer::session {
 
-/// `name = value` from outside the script; takes the place of the started script's own top-level `let` of that name.
+/// `name = value` from outside the script; takes the place of the started script's own top-level `let` of
+/// that name.
 struct Define {
   std::string name;
   std::string value;  // an expression
@@ -32,9 +33,9 @@ struct RunOptions {
 
 enum class Outcome {
   fine,
-  script_wrong,   // diagnostics say why
-  unreadable,     // the started script or an included file could not be read: `problem`
-  define_wrong,    // a Define is no `name = value`; diagnostics or `problem` say why
+  script_wrong,  // diagnostics say why
+  unreadable,    // the started script or an included file could not be read: `problem`
+  define_wrong,  // a Define is no `name = value`; diagnostics or `problem` say why
   interrupted,
 };
 
@@ -51,11 +52,12 @@ class Session {
   explicit Session(Host& host);
   ~Session();
 
-  /// Reads, parses, resolves and evaluates a script and the files that it includes; the scene is then `scene()`.
-  /// On failure the scene stays as it was.
+  /// Reads, parses, resolves and evaluates a script and the files that it includes; the scene is then
+  /// `scene()`. On failure the scene stays as it was.
   Run run_file(const std::string& path, const RunOptions& options);
   /// The same for a text that is no file; includes are relative to `folder`.
-  Run run_text(const std::string& name, std::string text, const std::string& folder, const RunOptions& options);
+  Run run_text(const std::string& name, std::string text, const std::string& folder,
+               const RunOptions& options);
 
   /// Only parses a script, without its includes; the tree is then `ast_dump()`.
   Run parse_file(const std::string& path);
@@ -71,7 +73,8 @@ class Session {
   /// What to call view number `index` of those: its name, or "view 1" by its place among those without one.
   std::string view_name(std::size_t index) const;
 
-  tracer::Rendered render(const scene::View& view, const tracer::Options& options, const tracer::Watch& watch = {}) const;
+  tracer::Rendered render(const scene::View& view, const tracer::Options& options,
+                          const tracer::Watch& watch = {}) const;
 
  private:
   struct State;

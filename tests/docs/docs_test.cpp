@@ -1,10 +1,9 @@
 // The documentation keeps its word: its scripts run, its commands succeed, its pictures are there.
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <stdlib.h>
 #include <string>
 #include <vector>
 
@@ -71,7 +70,8 @@ class Workshop {
   Workshop& operator=(const Workshop&) = delete;
 
   int run(const std::string& command) const {
-    const std::string line = "cd '" + folder_.string() + "' && PATH='" LANCER_PROGRAM_FOLDER "':\"$PATH\" && " + command + " >out 2>err";
+    const std::string line = "cd '" + folder_.string() +
+                             "' && PATH='" LANCER_PROGRAM_FOLDER "':\"$PATH\" && " + command + " >out 2>err";
     return std::system(line.c_str());
   }
   std::string errors() const { return read(folder_ / "err"); }
@@ -132,7 +132,8 @@ TEST_CASE("no link within the documentation leads nowhere", "[docs]") {
     const std::string text = read(page);
     for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
       const std::string target = text.substr(at + 2, text.find_first_of(")#", at + 2) - at - 2);
-      if (target.empty() || target.find("://") != std::string::npos || target.find(' ') != std::string::npos) continue;
+      if (target.empty() || target.find("://") != std::string::npos || target.find(' ') != std::string::npos)
+        continue;
       INFO(page.filename().string() << ": " << target);
       CHECK(fs::exists(page.parent_path() / target));
     }

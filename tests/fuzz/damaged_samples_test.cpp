@@ -1,5 +1,5 @@
-// Samples cut short, with bytes exchanged, lines doubled and removed: always an outcome, never a crash. The full count of
-// cuts runs with LANCER_LONG=1 in the environment.
+// Samples cut short, with bytes exchanged, lines doubled and removed: always an outcome, never a crash. The
+// full count of cuts runs with LANCER_LONG=1 in the environment.
 
 #include <algorithm>
 #include <cstdint>
@@ -18,7 +18,8 @@ using namespace lancer;
 
 std::vector<std::string> samples() {
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(LANCER_SAMPLES_FOLDER)) paths.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(LANCER_SAMPLES_FOLDER))
+    paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   std::vector<std::string> out;
   test::FolderHost host;
@@ -45,7 +46,9 @@ class Hashes {
 
 std::string damaged(std::string text, Hashes& hashes) {
   static const std::string k_bytes = "{}()[]<>\"#,.;=+-*/^%?:\\0159eax_ \n\xFF\xC3";
-  static const std::vector<std::string> k_words = {"let ", "fn ", "for ", " in ", "return ", "sphere ", "group ", "material ", "1e308", "..", "while true { }", "/*", "0", "-1"};
+  static const std::vector<std::string> k_words = {
+      "let ",      "fn ",   "for ", " in ",           "return ", "sphere ", "group ",
+      "material ", "1e308", "..",   "while true { }", "/*",      "0",       "-1"};
   for (std::size_t edits = 1 + hashes.below(4); edits > 0; --edits) {
     const std::size_t at = hashes.below(text.size());
     switch (hashes.below(4)) {

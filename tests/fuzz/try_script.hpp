@@ -1,6 +1,6 @@
 #pragma once
-// Takes any bytes for a script, as far as they go: parse, resolve, evaluate within small limits, a picture of a few
-// pixels. Nothing may come of it but an outcome.
+// Takes any bytes for a script, as far as they go: parse, resolve, evaluate within small limits, a picture of
+// a few pixels. Nothing may come of it but an outcome.
 
 #include <string>
 #include <utility>

@@ -58,7 +58,8 @@ TEST_CASE("escapes are decoded, unknown ones and impossible code points are not"
   CHECK(decode_escape("\\u{41}") == "A");
   CHECK(decode_escape("\\u{1F600}") == "\xF0\x9F\x98\x80");
   CHECK(decode_escape("\\u{e9}") == "\xC3\xA9");
-  for (const char* bad : {"\\q", "\\u{}", "\\u{D800}", "\\u{110000}", "\\u{12", "\\u41", "\\u{xyz}", "\\u{0000041}"}) {
+  for (const char* bad :
+       {"\\q", "\\u{}", "\\u{D800}", "\\u{110000}", "\\u{12", "\\u41", "\\u{xyz}", "\\u{0000041}"}) {
     CAPTURE(bad);
     CHECK_FALSE(decode_escape(bad));
   }
@@ -72,10 +73,11 @@ TEST_CASE("invalid bytes and control characters are found at their places", "[le
     return out;
   };
   using Places = std::vector<std::uint32_t>;
-  CHECK(places("a\xFF""b") == Places{1});
-  CHECK(places("\xC0\xAF") == Places{0, 1});            // an overlong `/`
-  CHECK(places("x\xED\xA0\x80") == Places{1, 2, 3});    // a surrogate
-  CHECK(places("\xF4\x90\x80\x80").size() == 4);         // beyond 10FFFF
+  CHECK(places("a\xFF"
+               "b") == Places{1});
+  CHECK(places("\xC0\xAF") == Places{0, 1});          // an overlong `/`
+  CHECK(places("x\xED\xA0\x80") == Places{1, 2, 3});  // a surrogate
+  CHECK(places("\xF4\x90\x80\x80").size() == 4);      // beyond 10FFFF
   CHECK(places("a\rb") == Places{1});
   CHECK(places(std::string("a\0b", 3)) == Places{1});
   CHECK(places("\x7F") == Places{0});

@@ -23,7 +23,8 @@ Outcome parse(const std::string& text) {
   Outcome out{{}, parsed.script.statements.size(), parsed.incomplete};
   for (const Diagnostic& d : parsed.diagnostics) {
     const Position at = sources[file].position(d.span.begin);
-    out.messages.push_back(std::to_string(at.line) + ":" + std::to_string(at.column) + " " + code_name(d.code) + " " + d.message);
+    out.messages.push_back(std::to_string(at.line) + ":" + std::to_string(at.column) + " " +
+                           code_name(d.code) + " " + d.message);
   }
   return out;
 }
@@ -32,9 +33,11 @@ using Messages = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("all syntax errors of a text are told at once, and good statements between them are kept", "[mistakes]") {
+TEST_CASE("all syntax errors of a text are told at once, and good statements between them are kept",
+          "[mistakes]") {
   const Outcome out = parse("let a = \nlet b = 2\nsphere { <0, 1 2>, 1 }\nprint(b)\nlet 3 = 4\nprint(1 2)\n");
-  CHECK(out.messages == Messages{"1:8 E001 expected a value, found `let`", "3:16 E001 expected `>`, found `2`",
+  CHECK(out.messages == Messages{"1:8 E001 expected a value, found `let`",
+                                 "3:16 E001 expected `>`, found `2`",
                                  "5:5 E001 expected a name for the variable, found `3`",
                                  "6:9 E001 expected `,` or `)`, found `2`"});
   CHECK(out.statements == 2);
@@ -45,10 +48,12 @@ TEST_CASE("what is missing at the end of a line is told behind the last token", 
 }
 
 TEST_CASE("an open bracket is told at the bracket, by what cannot stand within it", "[mistakes]") {
-  CHECK(parse("sphere { <0, 0, 0>, 1\nlight { at <1, 2, 3> }").messages == Messages{"1:8 E009 this `{` is never closed"});
+  CHECK(parse("sphere { <0, 0, 0>, 1\nlight { at <1, 2, 3> }").messages ==
+        Messages{"1:8 E009 this `{` is never closed"});
   CHECK(parse("print((1 + 2)\nlet x = 3\n").messages == Messages{"1:6 E009 this `(` is never closed"});
   CHECK(parse("let a = [1, 2\n").messages == Messages{"1:9 E009 this `[` is never closed"});
-  CHECK(parse("group {\n  sphere { <0, 0, 0>, 1 }\n").messages == Messages{"1:7 E009 this `{` is never closed"});
+  CHECK(parse("group {\n  sphere { <0, 0, 0>, 1 }\n").messages ==
+        Messages{"1:7 E009 this `{` is never closed"});
   CHECK(parse("x = 3 }\nprint(2)").messages == Messages{"1:7 E009 this `}` closes nothing"});
 }
 
@@ -59,7 +64,8 @@ TEST_CASE("a missing closer is one mistake, not two", "[mistakes]") {
 }
 
 TEST_CASE("text that ends too early asks for more, other mistakes do not", "[mistakes]") {
-  for (const char* text : {"sphere {", "let a =", "f(1,", "fn f(a)", "if a {", "let a = 1 +", "/* a", "for i in", "<1,"}) {
+  for (const char* text :
+       {"sphere {", "let a =", "f(1,", "fn f(a)", "if a {", "let a = 1 +", "/* a", "for i in", "<1,"}) {
     CAPTURE(text);
     CHECK(parse(text).incomplete);
   }
@@ -76,9 +82,11 @@ TEST_CASE("nesting is capped: a million parentheses are an error and not a crash
     for (int i = 0; i < count; ++i) out += piece;
     return out;
   };
-  for (const char* piece : {"(", "[", "-", "a ^ ", "<", "{", "fn a() {", "sphere {", "group {", "material {", "a ? ", "not ", "\"{", "if a {", "f("}) {
+  for (const char* piece : {"(", "[", "-", "a ^ ", "<", "{", "fn a() {", "sphere {", "group {", "material {",
+                            "a ? ", "not ", "\"{", "if a {", "f("}) {
     CAPTURE(piece);
-    const Outcome out = parse("x = " + repeat(piece, 1'000'000 / static_cast<int>(std::string(piece).size())));
+    const Outcome out =
+        parse("x = " + repeat(piece, 1'000'000 / static_cast<int>(std::string(piece).size())));
     REQUIRE_FALSE(out.messages.empty());
     CHECK(out.messages.size() <= 2);
   }
@@ -96,8 +104,10 @@ TEST_CASE("many mistakes take linear time", "[mistakes]") {
 }
 
 TEST_CASE("habits from other languages are answered with this language's word", "[mistakes]") {
-  CHECK(parse("union { sphere { <0, 0, 0>, 1 } }").messages == Messages{"1:1 E048 `union` is no kind of object"});
-  CHECK(parse("#declare R = 3;").messages == Messages{"1:1 E048 `#declare` is a directive of POV-Ray's language"});
+  CHECK(parse("union { sphere { <0, 0, 0>, 1 } }").messages ==
+        Messages{"1:1 E048 `union` is no kind of object"});
+  CHECK(parse("#declare R = 3;").messages ==
+        Messages{"1:1 E048 `#declare` is a directive of POV-Ray's language"});
   CHECK(parse("n += 1").messages == Messages{"1:3 E048 there is no `+=`"});
   CHECK(parse("if a && b { }").messages == Messages{"1:6 E048 expected `{`, found `&&`"});
   CHECK(parse("sphere { <0, 0, 0>, 1  material { diffuse rgb <1, 0, 0> } }").messages ==
@@ -107,9 +117,12 @@ TEST_CASE("habits from other languages are answered with this language's word", 
 TEST_CASE("misplaced words are told at the word", "[mistakes]") {
   CHECK(parse("return 3").messages == Messages{"1:1 E011 `return` stands in a function"});
   CHECK(parse("fn f() { break }").messages == Messages{"1:10 E011 `break` stands in a loop"});
-  CHECK(parse("while true { fn f() { continue } }").messages == Messages{"1:23 E011 `continue` stands in a loop"});
-  CHECK(parse("group { include \"a.scn\" }").messages == Messages{"1:9 E011 `include` stands at the top level of a file"});
-  CHECK(parse("if true { settings { depth 3 } }").messages == Messages{"1:11 E011 `settings` stands at the top level of a file"});
+  CHECK(parse("while true { fn f() { continue } }").messages ==
+        Messages{"1:23 E011 `continue` stands in a loop"});
+  CHECK(parse("group { include \"a.scn\" }").messages ==
+        Messages{"1:9 E011 `include` stands at the top level of a file"});
+  CHECK(parse("if true { settings { depth 3 } }").messages ==
+        Messages{"1:11 E011 `settings` stands at the top level of a file"});
   CHECK(parse("else { }").messages == Messages{"1:1 E011 `else` follows the `}` of an `if`"});
 }
 

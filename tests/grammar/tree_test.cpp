@@ -60,7 +60,8 @@ TEST_CASE("operators bind as the language says", "[tree]") {
   CHECK(value("1 - 2 - 3") != value("1 - (2 - 3)"));
 }
 
-TEST_CASE("a call and an index stand on the line of what they apply to, operators may follow below", "[tree]") {
+TEST_CASE("a call and an index stand on the line of what they apply to, operators may follow below",
+          "[tree]") {
   CHECK(tree("a\n(b)") == "add(name a), add(name b)");
   CHECK(tree("a\n[b]") == "add(name a), add(list(name b))");
   CHECK(tree("a /* \n */ (b)") == "add(name a), add(name b)");
@@ -72,7 +73,8 @@ TEST_CASE("a call and an index stand on the line of what they apply to, operator
 TEST_CASE("a vector holds no bare comparison, and its angle closes even before ==", "[tree]") {
   CHECK(value("<1, 2, 3>==v") == value("(<1, 2, 3>) == v"));
   CHECK(value("<a ? 1 : 0, 2>") == "vector(choose(name a, number 1, number 0), number 2)");
-  CHECK(value("<(a < b) ? 1 : 0, 2>") == "vector(choose(compare <(name a, name b), number 1, number 0), number 2)");
+  CHECK(value("<(a < b) ? 1 : 0, 2>") ==
+        "vector(choose(compare <(name a, name b), number 1, number 0), number 2)");
   CHECK_THAT(value("<a < b ? 1 : 0, 2>"), ContainsSubstring("found `<`"));
   CHECK(value("<f(a < b), 2>") == "vector(call(name f, compare <(name a, name b)), number 2)");
   CHECK(value("a < <1, 2>") == "compare <(name a, vector(number 1, number 2))");
@@ -86,12 +88,15 @@ TEST_CASE("in a block a name that is an attribute of its kind is that attribute"
   CHECK_THAT(tree("sphere { center, 1 }"), ContainsSubstring("expected a value, found `,`"));
   CHECK(tree("sphere { centre <1, 2, 3> radius 1 }") ==
         "add(sphere(attribute centre(vector(number 1, number 2, number 3)), attribute radius(number 1)))");
-  CHECK(tree("cube { center c; ; side 2; }") == "add(cube(attribute center(name c), attribute side(number 2)))");
-  CHECK(tree("cube { rotate x, 30 side 2 }") == "add(cube(attribute rotate(name x, number 30), attribute side(number 2)))");
+  CHECK(tree("cube { center c; ; side 2; }") ==
+        "add(cube(attribute center(name c), attribute side(number 2)))");
+  CHECK(tree("cube { rotate x, 30 side 2 }") ==
+        "add(cube(attribute rotate(name x, number 30), attribute side(number 2)))");
 }
 
 TEST_CASE("a group mixes statements and attributes, and may assign to an attribute's name", "[tree]") {
-  CHECK(tree("group { scale = 3 scale 2 }") == "add(group(assign scale(number 3), attribute scale(number 2)))");
+  CHECK(tree("group { scale = 3 scale 2 }") ==
+        "add(group(assign scale(number 3), attribute scale(number 2)))");
   CHECK(tree("group { trnslate <1, 2, 3> }") ==
         "add(group(attribute trnslate(vector(number 1, number 2, number 3))))");
   CHECK(tree("group { material { diffuse 1 } s }") ==

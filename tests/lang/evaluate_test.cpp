@@ -127,9 +127,9 @@ TEST_CASE("evaluate: closures share the variables of their scope", "[evaluate]")
 TEST_CASE("evaluate: inner scopes leave captured variables of later statements alone", "[evaluate]") {
   CHECK(printed("fn f() { if true { let t = 5  print(t) }  let b = 2  let g = fn () -> b  return g }  "
                 "print(f()())") == "5\n2\n");
-  CHECK(printed(
-            "fn f() { h = group { let t = 1  let u = t  sphere { <u, 0, 0>, 1 } }  let n = len(h)  fn g() = n"
-            "  return g }  let h = []  print(f()())") == "1\n");
+  CHECK(printed("let h = []  fn f() { h = group { let t = 1  let u = t  sphere { <u, 0, 0>, 1 } }  let n = "
+                "len(h)  fn g() = n"
+                "  return g }  print(f()())") == "1\n");
   CHECK(printed("fn f(a = [group { let t = 1  sphere { <t, 0, 0>, 1 } }], b = fn () -> a) = b  "
                 "print(len(f()()))") == "1\n");
 }

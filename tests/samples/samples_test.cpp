@@ -1,12 +1,12 @@
-// Every sample runs without a word, and every view of it gives the picture that lies in tests/pictures, pixel for pixel.
-// With LANCER_REFRESH_PICTURES=1 in the environment the pictures are written anew instead: look at them before committing.
-
-#include <png.h>
+// Every sample runs without a word, and every view of it gives the picture that lies in tests/pictures, pixel
+// for pixel. With LANCER_REFRESH_PICTURES=1 in the environment the pictures are written anew instead: look at
+// them before committing.
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <png.h>
 #include <vector>
 
 #include "catch.hpp"
@@ -31,7 +31,8 @@ Pixels decode_png(const std::string& bytes) {
   png.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return {};
   png.format = PNG_FORMAT_RGB;
-  Pixels out{static_cast<int>(png.width), static_cast<int>(png.height), std::vector<std::uint8_t>(PNG_IMAGE_SIZE(png))};
+  Pixels out{static_cast<int>(png.width), static_cast<int>(png.height),
+             std::vector<std::uint8_t>(PNG_IMAGE_SIZE(png))};
   png_image_finish_read(&png, nullptr, out.rgb.data(), 0, nullptr);
   return out;
 }

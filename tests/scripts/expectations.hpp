@@ -4,8 +4,8 @@
 //     sphere { <0, 0, 0>, -1 }   //~ error E013 at 21: a sphere's radius is positive; this one is -1
 //     print(6 * 7)               //~ prints 42
 //
-// `//~^` speaks of the line above. `at` with a column may be left out. A case must give exactly what it says, messages
-// in any order and prints in theirs; `//~ allow unused` lets warnings of that kind pass.
+// `//~^` speaks of the line above. `at` with a column may be left out. A case must give exactly what it says,
+// messages in any order and prints in theirs; `//~ allow unused` lets warnings of that kind pass.
 
 #include <algorithm>
 #include <cstdint>
@@ -72,26 +72,29 @@ inline Expectations parse_expectations(std::string_view text) {
 }
 
 /// What did not go as expected, a line each; empty where all is well.
-inline std::string differences(Expectations expected, const std::vector<Diagnostic>& diagnostics, const SourceMap& sources, const std::string& printed) {
+inline std::string differences(Expectations expected, const std::vector<Diagnostic>& diagnostics,
+                               const SourceMap& sources, const std::string& printed) {
   std::string out;
   for (const Diagnostic& d : diagnostics) {
     if (d.code == Code::unused && expected.allow_unused) continue;
     const Position place = sources[d.span.file].position(d.span.begin);
     const char* severity = d.severity == Severity::error ? "error" : "warning";
     const auto fits = [&](const Expected& e) {
-      return !e.found && e.line == place.line && (e.column == 0 || e.column == place.column) && e.severity == severity &&
-             e.code == code_name(d.code) && e.message == d.message;
+      return !e.found && e.line == place.line && (e.column == 0 || e.column == place.column) &&
+             e.severity == severity && e.code == code_name(d.code) && e.message == d.message;
     };
     const auto match = std::find_if(expected.messages.begin(), expected.messages.end(), fits);
     if (match != expected.messages.end()) {
       match->found = true;
     } else {
-      out += "unexpected: line " + std::to_string(place.line) + ": " + severity + " " + code_name(d.code) + " at " +
-             std::to_string(place.column) + ": " + d.message + "\n";
+      out += "unexpected: line " + std::to_string(place.line) + ": " + severity + " " + code_name(d.code) +
+             " at " + std::to_string(place.column) + ": " + d.message + "\n";
     }
   }
   for (const Expected& e : expected.messages) {
-    if (!e.found) out += "missing: line " + std::to_string(e.line) + ": " + e.severity + " " + e.code + " at " + std::to_string(e.column) + ": " + e.message + "\n";
+    if (!e.found)
+      out += "missing: line " + std::to_string(e.line) + ": " + e.severity + " " + e.code + " at " +
+             std::to_string(e.column) + ": " + e.message + "\n";
   }
   if (printed != expected.prints) out += "printed:\n" + printed + "instead of:\n" + expected.prints;
   return out;

@@ -35,7 +35,8 @@ TEST_CASE("every script case gives exactly what its comments say", "[scripts]") 
     const session::Run run = session.run_file(path.string(), {});
     const std::string text = host.read(path.string()).text;
     INFO(fs::relative(path, root).string());
-    CHECK(test::differences(test::parse_expectations(text), run.diagnostics, session.sources(), host.printed) == "");
+    CHECK(test::differences(test::parse_expectations(text), run.diagnostics, session.sources(),
+                            host.printed) == "");
   }
 }
 

@@ -24,8 +24,8 @@ struct Fixture {
     if (run.diagnostics.empty()) return "";
     const Diagnostic& d = run.diagnostics.front();
     const Position at = session.sources()[d.span.file].position(d.span.begin);
-    return session.sources()[d.span.file].name() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + " " +
-           code_name(d.code) + " " + d.message;
+    return session.sources()[d.span.file].name() + ":" + std::to_string(at.line) + ":" +
+           std::to_string(at.column) + " " + code_name(d.code) + " " + d.message;
   }
 };
 
@@ -33,7 +33,9 @@ struct Fixture {
 
 TEST_CASE("session: a script becomes a scene and a picture", "[session]") {
   Fixture f;
-  const session::Run run = f.run("sphere { <0, 0, 0>, 1  material { ambient 1 } }\nsettings { ambient 1 }\nview { eye <0, 0, 5> look_at <0, 0, 0> size 9, 9 }");
+  const session::Run run = f.run(
+      "sphere { <0, 0, 0>, 1  material { ambient 1 } }\nsettings { ambient 1 }\nview { eye <0, 0, 5> look_at "
+      "<0, 0, 0> size 9, 9 }");
   REQUIRE(run.outcome == session::Outcome::fine);
   REQUIRE(f.session.scene().spheres.size() == 1);
   tracer::Options options;
@@ -79,12 +81,14 @@ TEST_CASE("session: files that include each other are a cycle", "[session][inclu
         "/main.scn:1:9 E041 \"main.scn\" is still being read: files include each other in a circle");
 }
 
-TEST_CASE("session: a file outside the script's folder is refused, an -I folder allows it", "[session][include]") {
+TEST_CASE("session: a file outside the script's folder is refused, an -I folder allows it",
+          "[session][include]") {
   Fixture f;
   f.host.files["/lib/shapes.scn"] = "let r = 2\n";
   f.host.files["/scenes/main.scn"] = "include \"../lib/shapes.scn\"\nprint(r)\n";
   session::Run run = f.session.run_file("/scenes/main.scn", f.options);
-  CHECK(f.first(run) == "/scenes/main.scn:1:9 E042 \"../lib/shapes.scn\" lies outside the folders that this script may read");
+  CHECK(f.first(run) ==
+        "/scenes/main.scn:1:9 E042 \"../lib/shapes.scn\" lies outside the folders that this script may read");
   f.options.include_folders = {"/lib"};
   run = f.session.run_file("/scenes/main.scn", f.options);
   CHECK(f.first(run) == "");
@@ -140,8 +144,9 @@ TEST_CASE("session: a script that is not there is unreadable", "[session]") {
 
 TEST_CASE("session: views are named by their names or their places", "[session]") {
   Fixture f;
-  REQUIRE(f.run("view { eye <0, 0, 5> look_at <0, 0, 0> }\nview \"top\" { eye <0, 5, 0> look -y }\nview { eye <0, 0, 9> look_at <0, 0, 0> }").outcome ==
-          session::Outcome::fine);
+  REQUIRE(f.run("view { eye <0, 0, 5> look_at <0, 0, 0> }\nview \"top\" { eye <0, 5, 0> look -y }\nview { "
+                "eye <0, 0, 9> look_at <0, 0, 0> }")
+              .outcome == session::Outcome::fine);
   REQUIRE(f.session.views().size() == 3);
   CHECK(f.session.view_name(0) == "view 1");
   CHECK(f.session.view_name(1) == "top");

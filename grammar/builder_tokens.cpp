@@ -1,12 +1,11 @@
-// Numbers, colours and strings: from their spelling to their value.
+// Tokens: names, and numbers, colours and strings from their spelling to their value.
 
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <optional>
 #include <string>
-
-#include <fmt/format.h>
 
 #include "base/math.hpp"
 #include "grammar/builder.hpp"
@@ -15,7 +14,9 @@
 namespace lancer::grammar {
 namespace {
 
-bool is_hex_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
+bool is_hex_digit(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+}
 
 unsigned hex_value(std::string_view digits) {
   unsigned out = 0;
@@ -65,7 +66,8 @@ std::optional<std::string> decode_escape(std::string_view spelled) {
     case 'u': break;
     default: return std::nullopt;
   }
-  if (spelled.size() < 5 || spelled.size() > 10 || spelled[2] != '{' || spelled.back() != '}') return std::nullopt;
+  if (spelled.size() < 5 || spelled.size() > 10 || spelled[2] != '{' || spelled.back() != '}')
+    return std::nullopt;
   const std::string_view digits = spelled.substr(3, spelled.size() - 4);
   for (char c : digits) {
     if (!is_hex_digit(c)) return std::nullopt;
@@ -75,11 +77,19 @@ std::optional<std::string> decode_escape(std::string_view spelled) {
   return to_utf8(code);
 }
 
+void Builder::end_token(const char* at) {
+  previous_end = last_end;
+  last_end = offset(at);
+}
+
 void Builder::number(const char* begin, const char* end) {
+  last_end = offset(end);
   const Span s = span(begin);
   double value = 0;
   if (const char* problem = number_problem({begin, static_cast<std::size_t>(end - begin)})) {
-    report(error(Code::bad_number, s, fmt::format("`{}` is no number: {}", std::string_view(begin, static_cast<std::size_t>(end - begin)), problem),
+    report(error(Code::bad_number, s,
+                 fmt::format("`{}` is no number: {}",
+                             std::string_view(begin, static_cast<std::size_t>(end - begin)), problem),
                  "numbers look like 1, .5, 2.5e-3, 1_000_000"));
   } else {
     std::string digits;
@@ -96,13 +106,15 @@ void Builder::number(const char* begin, const char* end) {
 }
 
 void Builder::color(const char* begin, const char* end) {
+  last_end = offset(end);
   const Span s = span(begin);
   const std::string_view digits(begin + 1, static_cast<std::size_t>(end - begin - 1));
   bool valid = digits.size() == 3 || digits.size() == 6;
   for (char c : digits) valid = valid && is_hex_digit(c);
   double rgb[3] = {0, 0, 0};
   if (!valid) {
-    report(error(Code::bad_color, s, fmt::format("`#{}` is no colour: 3 or 6 hexadecimal digits follow the `#`", digits),
+    report(error(Code::bad_color, s,
+                 fmt::format("`#{}` is no colour: 3 or 6 hexadecimal digits follow the `#`", digits),
                  "colours look like #f80 or #ff8800"));
   } else {
     const std::size_t width = digits.size() / 3;
@@ -113,6 +125,27 @@ void Builder::color(const char* begin, const char* end) {
   }
   push(ast::ColorLiteral{{ast::ExprKind::color, s}, rgb[0], rgb[1], rgb[2]});
 }
+
+void Builder::truth(const char* begin) {
+  push(ast::Boolean{{ast::ExprKind::boolean, span(begin)}, *begin == 't'});
+}
+
+void Builder::string_text(const char* begin, const char* end) {
+  pieces.push_back({offset(begin), {begin, end}, nullptr});
+}
+
+void Builder::string_escape(const char* begin, const char* end) {
+  const std::string_view spelled(begin, static_cast<std::size_t>(end - begin));
+  const auto decoded = decode_escape(spelled);
+  if (!decoded) {
+    report(
+        error(Code::bad_escape, span(offset(begin), offset(end)), fmt::format("`{}` is no escape", spelled),
+              "the escapes are \\n \\t \\\" \\\\ \\{ and \\u{1F600}, a Unicode code point in hexadecimal"));
+  }
+  pieces.push_back({offset(begin), decoded.value_or(""), nullptr});
+}
+
+void Builder::interpolation(const char* begin) { pieces.push_back({offset(begin), {}, take_expr()}); }
 
 void Builder::string(const char* begin) {
   const Span s = span(begin);
@@ -133,6 +166,16 @@ void Builder::string(const char* begin) {
   if (!literal.empty()) parts.push_back({arena_.text(literal), nullptr});
   pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end());
   push(ast::String{{ast::ExprKind::string, s}, arena_.copy(parts.data(), parts.size())});
+}
+
+void Builder::string_as_name(const char* begin) {
+  string(begin);
+  names.push_back(static_cast<ast::String*>(take_expr()));
+}
+
+void Builder::word(const char* begin) {
+  const Span s = span(begin);
+  words.push_back({s, text_.substr(s.begin, s.end - s.begin)});
 }
 
 }  // namespace lancer::grammar
