@@ -16,6 +16,7 @@ struct message;  // no general case
 
 LANCER_EXPECTS(value, "a value", value)
 LANCER_EXPECTS(value, "a value", open_value)
+LANCER_EXPECTS(value, "a value", body_value)
 LANCER_EXPECTS(value, "a value", values)
 LANCER_EXPECTS(value, "another value after the `,`", next_value)
 LANCER_EXPECTS(value, "a value", with_comparisons<true, expression>)

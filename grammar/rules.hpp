@@ -113,7 +113,9 @@ struct parameters
     : bracketed<open_paren, p::star<parameter, p::must<comma_or_paren>>, p::must<end_of_parameters>> {};
 struct scope;
 struct function_scope : in_function<scope> {};
-struct arrow_body : p::if_must<arrow, open_value> {};
+/// The value that an expression body gives: loops around the function are not its own.
+struct body_value : in_function<open_value> {};
+struct arrow_body : p::if_must<arrow, body_value> {};
 struct function_body : p::sor<arrow_body, function_scope> {};
 /// `fn (a) -> a + 1` or `fn (a) { ... }`
 struct function : p::if_must<k_fn, parameters, function_body> {};
@@ -240,7 +242,7 @@ struct let_equals : equals {};
 struct let : p::if_must<k_let, let_name, let_equals, open_value> {};
 
 struct function_name : name {};
-struct equals_body : p::if_must<equals, open_value> {};
+struct equals_body : p::if_must<equals, body_value> {};
 struct named_body : p::sor<equals_body, function_scope> {};
 struct function_statement
     : p::seq<p::at<k_fn, p::not_at<p::one<'('>>>, p::if_must<k_fn, function_name, parameters, named_body>> {};

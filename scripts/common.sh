@@ -29,13 +29,16 @@ as_root() {
 # install_packages KIND...: those of these kinds in scripts/packages that are missing.
 install_packages() {
   command -v dpkg-query >/dev/null || return 0 # not a Debian: CMake says what it does not find
-  local kinds wanted missing
+  local kinds installed package missing=
   kinds=$(IFS='|'; echo "$*")
-  mapfile -t wanted < <(sed -nE "s/^($kinds) //p" "$root/scripts/packages")
-  # Packages that dpkg has never heard of are an error to it, but no news to us.
-  missing=$(printf '%s\n' "${wanted[@]}" |
-    grep -vxFf <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null |
-      sed -n 's/^installed //p')) || return 0
+  installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p')
+  for package in $(sed -nE "s/^($kinds) //p" "$root/scripts/packages"); do
+    case $'\n'$installed$'\n' in
+      *$'\n'$package$'\n'*) ;;
+      *) missing+=" $package" ;;
+    esac
+  done
+  [ -n "$missing" ] || return 0
   if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
     fail "these packages are missing and there is no sudo to install them with:" $missing
   fi

@@ -13,6 +13,19 @@ namespace {
 constexpr std::size_t k_megabyte = std::size_t{1} << 20;
 constexpr std::size_t k_reserve = 256 * 1024;  // for what runs below the last check, exceptions included
 
+// AddressSanitizer loses track of exceptions that are thrown with more than 64 MB of stack in use.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr std::size_t k_largest = 64 * k_megabyte;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr std::size_t k_largest = 64 * k_megabyte;
+#else
+constexpr std::size_t k_largest = 1024 * k_megabyte;
+#endif
+#else
+constexpr std::size_t k_largest = 1024 * k_megabyte;
+#endif
+
 /// The lowest address that the running thread may use, and whether its stack is one of ours.
 struct Bounds {
   std::uintptr_t bottom = 0;
@@ -107,7 +120,7 @@ void on_deep_stack(const std::function<void()>& work) {
     return;
   }
   Job job{work, 0};
-  if (!run_on(1024 * k_megabyte, job) && !run_on(256 * k_megabyte, job) && !run_on(64 * k_megabyte, job)) {
+  if (!run_on(k_largest, job) && !run_on(256 * k_megabyte, job) && !run_on(64 * k_megabyte, job)) {
     throw std::system_error(std::make_error_code(std::errc::not_enough_memory), "no memory for a stack");
   }
   if (job.error) std::rethrow_exception(job.error);

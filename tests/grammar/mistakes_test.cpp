@@ -119,6 +119,9 @@ TEST_CASE("misplaced words are told at the word", "[mistakes]") {
   CHECK(parse("fn f() { break }").messages == Messages{"1:10 E011 `break` stands in a loop"});
   CHECK(parse("while true { fn f() { continue } }").messages ==
         Messages{"1:23 E011 `continue` stands in a loop"});
+  CHECK(parse("while true { fn f() = group { break } }").messages ==
+        Messages{"1:31 E011 `break` stands in a loop"});
+  CHECK(parse("while true { group { break } }").messages.empty());
   CHECK(parse("group { include \"a.scn\" }").messages ==
         Messages{"1:9 E011 `include` stands at the top level of a file"});
   CHECK(parse("if true { settings { depth 3 } }").messages ==
