@@ -2,7 +2,8 @@
 """Prints math_tables.cpp: the values that the functions of math.hpp start from.
 
 Every value is the sum of two doubles, each the nearest to what the ones before it leave over. Worked out with
-60 decimal digits; needs Python alone. Run it as  make_math_tables.py > math_tables.cpp
+60 decimal digits; needs Python alone. Run it as
+make_math_tables.py > math_tables.cpp, then clang-format.
 """
 from decimal import Decimal, getcontext
 

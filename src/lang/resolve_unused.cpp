@@ -33,10 +33,9 @@ void UseGraph::finish(std::vector<Diagnostic>& diagnostics) {
     const Entry& entry = nodes_[i];
     const Declaration& d = entry.declaration;
     if (d.used != nullptr) *d.used = entry.used;
-    if (entry.used || d.silent || d.id.starts_with('_') || !nodes_[d.owner].used) continue;
-    diagnostics.push_back(warning(Code::unused, d.span,
-                                  fmt::format("nothing uses `{}`, so it is not evaluated", d.id),
-                                  fmt::format("a name like `_{}` says that this is meant", d.id)));
+    if (entry.used || d.silent || !nodes_[d.owner].used) continue;
+    diagnostics.push_back(
+        warning(Code::unused, d.span, fmt::format("nothing uses `{}`, so it is not evaluated", d.id)));
   }
 }
 

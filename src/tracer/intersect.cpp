@@ -135,12 +135,16 @@ void collect_contacts(const World& world, const Ray& ray, const Candidates& cand
 }
 
 /// At an edge: does the facet of the contact lie behind the surface that a ray leaves to the side `away`?
-/// Then the ray, although it runs behind the facet's plane, only touches its rim.
-bool falls_away(const World& world, const Contact& contact, Vec3 point, Vec3 away) {
+/// Then the ray, although it runs behind the facet's plane, only touches its rim. A facet of another object
+/// that lies in the surface is no such facet: a ray from its far side crosses it.
+bool falls_away(const World& world, const Contact& contact, const Hit& hit, Vec3 away) {
   const Primitive primitive = world.primitives[contact.primitive];
   if (primitive.kind != Kind::facet) return false;
   const FacetPrimitive& f = world.facets[primitive.record];
-  return dot(away, (f.a - point) + (f.b - point) + (f.c - point)) <= 0;
+  const double ahead = dot(away, (f.a - hit.point) + (f.b - hit.point) + (f.c - hit.point));
+  if (contact.shape == hit.shape) return ahead <= 0;
+  const double slack = 3 * hit.point_error + 32 * k_u * (max_abs(f.a) + max_abs(f.b) + max_abs(f.c));
+  return ahead < -slack;
 }
 
 /// The first of the surfaces that the ray crosses right where it starts; of a mesh, one that fits the ray's
@@ -220,7 +224,7 @@ Ray ray_from(const World& world, const Hit& hit, Vec3 direction) {
       }
       contact.in_shape = inside;
     }
-    if (contact.primitive == hit.primitive || (turns_back && falls_away(world, contact, hit.point, away))) {
+    if (contact.primitive == hit.primitive || (turns_back && falls_away(world, contact, hit, away))) {
       contact.left = true;
     }
   }

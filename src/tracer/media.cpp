@@ -7,14 +7,14 @@ namespace lancer::tracer {
 namespace {
 
 /// Where the ray first leaves the shape; infinite where it never does.
-double way_out(const World& world, std::uint32_t shape, const Probe& probe, Stats& stats) {
-  double nearest = std::numeric_limits<double>::infinity();
+Root way_out(const World& world, std::uint32_t shape, const Probe& probe, Stats& stats) {
+  Root nearest = plain_root(std::numeric_limits<double>::infinity(), 0, false);
   const auto test = [&](std::uint32_t primitive) {
     ++stats.shape_tests;
     const Roots found = roots(world, primitive, probe);
     for (int i = 0; i < found.count; ++i) {
       const Root& root = found.root[i];
-      if (!root.entering && root.t > 0) nearest = std::fmin(nearest, root.t);
+      if (!root.entering && root.t > 0 && root.t < nearest.t) nearest = root;
     }
   };
   const std::uint32_t first = world.first_primitive[shape], last = world.first_primitive[shape + 1];
@@ -22,7 +22,7 @@ double way_out(const World& world, std::uint32_t shape, const Probe& probe, Stat
     test(first);
     return nearest;
   }
-  world.tree.traverse(probe, nearest, stats.node_visits, [&](std::uint32_t item) {
+  world.tree.traverse(probe, nearest.t, stats.node_visits, [&](std::uint32_t item) {
     const std::uint32_t primitive = world.bounded[item];
     if (primitive >= first && primitive < last) test(primitive);
     return false;
@@ -74,7 +74,7 @@ OpenSolids open_at(const World& world, const std::vector<Surrounding>& around, V
                    Stats& stats) {
   struct Way {
     std::uint32_t shape;
-    double out;
+    Root out;
   };
   OpenSolids open;
   if (around.empty()) return open;
@@ -82,9 +82,16 @@ OpenSolids open_at(const World& world, const std::vector<Surrounding>& around, V
   std::vector<Way> ways;
   for (const Surrounding& solid : around) {
     if (solid.touched && !goes_in(world, solid.shape, probe)) continue;
-    ways.push_back({solid.shape, around.size() == 1 ? 0 : way_out(world, solid.shape, probe, stats)});
+    ways.push_back({solid.shape, around.size() == 1 ? Root{} : way_out(world, solid.shape, probe, stats)});
   }
-  std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.out > b.out; });
+  std::sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.out.t > b.out.t; });
+  // Coincident surfaces differ by no more than rounding, which must not decide.
+  for (auto first = ways.begin(); first != ways.end();) {
+    auto last = first + 1;
+    while (last != ways.end() && last->out.high >= (last - 1)->out.low) ++last;
+    std::sort(first, last, [](const Way& a, const Way& b) { return a.shape < b.shape; });
+    first = last;
+  }
   for (const Way& way : ways) open.push_back(way.shape);
   return open;
 }

@@ -1,5 +1,6 @@
 #include "base/number.hpp"
 
+#include <cstdlib>
 #include <limits>
 
 #include "catch.hpp"
@@ -66,8 +67,7 @@ TEST_CASE("number: every text reads back as the same number", "[number]") {
   Numbers n(7);
   for (int i = 0; i < 20000; ++i) {
     const double v = i % 2 == 0 ? n.of_any_size(-1074, 1024) : n.of_any_size(-30, 80);
-    if (std::stod(to_text(v < 0x1p-1022 && v > -0x1p-1022 ? 1.0 : v)) !=
-        (v < 0x1p-1022 && v > -0x1p-1022 ? 1.0 : v)) {
+    if (std::strtod(to_text(v).c_str(), nullptr) != v) {
       FAIL_CHECK(to_text(v));
     }
   }

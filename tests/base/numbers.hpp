@@ -28,7 +28,8 @@ class Numbers {
   }
   /// Of either sign, all sizes from 2^lo to 2^hi alike.
   double of_any_size(int lo, int hi) {
-    const double size = std::ldexp(uniform(1, 2), whole(lo, hi - 1));
+    const double significand = uniform(1, 2);  // first: the order of arguments is the compiler's choice
+    const double size = std::ldexp(significand, whole(lo, hi - 1));
     return (bits() & 1) != 0 ? size : -size;
   }
 

@@ -12,9 +12,11 @@ Found found(const Files& files, const Defines& defines = {}) { return resolve_fi
 }  // namespace
 
 TEST_CASE("resolve: all unknown names are told at once, in unused code too", "[resolve]") {
-  CHECK(found("print(a)\nfn _f() = b + \"{c}\"\nif true { d = 1 }") ==
-        Found{"main.scn:1:7 E020 nothing is called `a` here", "main.scn:2:11 E020 nothing is called `b` here",
-              "main.scn:2:17 E020 nothing is called `c` here",
+  CHECK(found("print(a)\nfn f() = b + \"{c}\"\nif true { d = 1 }") ==
+        Found{"main.scn:1:7 E020 nothing is called `a` here",
+              "main.scn:2:4 W101 nothing uses `f`, so it is not evaluated",
+              "main.scn:2:10 E020 nothing is called `b` here",
+              "main.scn:2:16 E020 nothing is called `c` here",
               "main.scn:3:11 E026 there is no variable `d` to assign to"});
 }
 
@@ -56,13 +58,13 @@ TEST_CASE("resolve: a name is declared once in a scope", "[resolve]") {
   CHECK(d.labels[0].span.begin == 4);
   CHECK(found("let _f = 1\nfn _f() = 2") == Found{"main.scn:2:4 E025 `_f` is declared twice in one scope"});
   CHECK(found("fn _f() = 1\nlet _f = 2") == Found{"main.scn:2:5 E025 `_f` is declared twice in one scope"});
-  CHECK(found("fn _f(a, a) = 1") == Found{"main.scn:1:10 E025 `a` is declared twice in one scope"});
+  CHECK(found("print(fn (a, a) -> 1)") == Found{"main.scn:1:14 E025 `a` is declared twice in one scope"});
 }
 
 TEST_CASE("resolve: parameters behind one with a default have one too", "[resolve]") {
-  CHECK(found("fn _f(a, b = 1, c = 2) = 0").empty());
-  CHECK(found("fn _f(a = 1, b) = 0") ==
-        Found{"main.scn:1:14 E001 `b` stands behind a parameter with a default and has none"});
+  CHECK(found("print(fn (a, b = 1, c = 2) -> 0)").empty());
+  CHECK(found("print(fn (a = 1, b) -> 0)") ==
+        Found{"main.scn:1:18 E001 `b` stands behind a parameter with a default and has none"});
 }
 
 TEST_CASE("resolve: an inner scope may use a name anew", "[resolve]") {
@@ -122,7 +124,7 @@ TEST_CASE("resolve: a mention is a use, reached or not", "[resolve]") {
   CHECK(found("let a = 1  fn f(n = a) = n  print(f())").empty());
   CHECK(found("let a = 1  print(\"{a}\")").empty());
   CHECK(found("let a = 1  let b = fn () -> a  b()").empty());
-  CHECK(found("let _a = 1  fn _f(unused) = 2  for i in 0..2 { }").empty());
+  CHECK(found("fn f(unused) = 2  print(f(1))  for i in 0..2 { }").empty());
   CHECK(found({{"main.scn", "include \"a\""}, {"a", "let one = 1"}}).empty());
 }
 

@@ -139,6 +139,32 @@ TEST_CASE("coincident: a glass block on a table lets the table be seen and lit t
   }
 }
 
+TEST_CASE("coincident: what lies under a clear facet is seen and lit through it, and shines back through it",
+          "[coincident]") {
+  for (int i = 0; i < 6; ++i) {
+    for (const bool plane : {true, false}) {
+      const Vec3 eye = crooked(i).point({0.3, -2, 3});
+      const scene::View v = view(eye, crooked(i).point({0, 0, 0}) - eye, 21, 30);
+      const auto under_clear_sheet = [&](const Material& m) {
+        Scene s;
+        s.settings.ambient = {};
+        s.settings.background = grey(1);
+        add_sheet(s, clear(0.5, 1), crooked(i), 0);
+        if (plane) {
+          add_plane(s, {5, 4, 0}, {0, 0, 1}, m, crooked(i));
+        } else {
+          add_sheet(s, m, crooked(i), 40);
+        }
+        s.lights.push_back(sun(crooked(i).vector({0, 0, -1})));
+        return picture(s, v);
+      };
+      CHECK(count(under_clear_sheet(mirror(0.5)), 0.5 * 0.5 * 0.5) == 21 * 21);
+      const Rendered lit = under_clear_sheet(matt(1));
+      for (const float value : lit.image.data()) REQUIRE(value == Approx(0.5 * 0.5).epsilon(1e-6));
+    }
+  }
+}
+
 TEST_CASE("coincident: spheres in one another are met in the order of adding", "[coincident]") {
   Scene s;
   s.settings.ambient = grey(1);

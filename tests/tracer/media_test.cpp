@@ -136,6 +136,22 @@ TEST_CASE("media: solids left at the same place keep their order, first added ou
   CHECK(open_list(s, {0, -0.5, 0}, {1, 0, 0})[0] == 2);
 }
 
+TEST_CASE("media: rounding does not order solids left through coincident surfaces", "[media]") {
+  for (int i = 0; i < 6; ++i) {
+    const Affine map =
+        then(rotation({7.0 * i, 31.0 * i, 53.0 * i}), translation({3.1 * i, -2.7 * i, 0.9 * i}));
+    Scene s;
+    add_box(s, {-1, -1, -1}, {1, 1, 2}, {}, map);
+    add_plane(s, {5, 4, 2}, {0, 0, 1}, {}, map);
+    add_mesh(s, cube_mesh(true), {}, then(then(scaling({7, 7, 3}), translation({0, 0, -1})), map));
+    const Vec3 eye = map.point({0.1, 0.2, 1.5});
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 direction = map.vector({0.01 * (k % 20) - 0.1, 0.02 * (k / 20) - 0.09, 1});
+      REQUIRE(open_list(s, eye, direction) == List{0, 1, 2});
+    }
+  }
+}
+
 TEST_CASE("media: an eye on a surface is inside if it looks in", "[media]") {
   Scene s;
   add_box(s, {-1, -1, -1}, {1, 1, 1});
