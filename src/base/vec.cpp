@@ -9,17 +9,20 @@ Vec3 scaled(Vec3 a, int& exponent) {
   return {std::scalbn(a.x, -exponent), std::scalbn(a.y, -exponent), std::scalbn(a.z, -exponent)};
 }
 
+/// Neither zero nor beyond what numbers hold.
+bool is_scalable(Vec3 a) { return max_abs(a) != 0 && is_finite(a); }
+
 }  // namespace
 
 double length(Vec3 a) {
-  if (max_abs(a) == 0) return 0;
+  if (!is_scalable(a)) return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);  // 0, infinite or NaN
   int exponent = 0;
   const Vec3 s = scaled(a, exponent);
   return std::scalbn(std::sqrt(dot(s, s)), exponent);
 }
 
 Vec3 normalize(Vec3 a) {
-  if (max_abs(a) == 0) return a;
+  if (!is_scalable(a)) return a;
   int exponent = 0;
   const Vec3 s = scaled(a, exponent);
   return s / std::sqrt(dot(s, s));

@@ -1,5 +1,8 @@
 #include "base/vec.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "catch.hpp"
 
 namespace lancer {
@@ -29,6 +32,14 @@ TEST_CASE("vec: unit vectors of any size", "[vec]") {
     CHECK(u.x == Approx(0.6).epsilon(1e-15));
     CHECK(u.z == Approx(0.8).epsilon(1e-15));
   }
+}
+
+TEST_CASE("vec: what is beyond numbers has no direction and an infinite length", "[vec]") {
+  const double infinite = std::numeric_limits<double>::infinity();
+  CHECK(lancer::length({infinite, 0, 0}) == infinite);
+  CHECK(lancer::length({0, 0, 0}) == 0);
+  CHECK(std::isnan(lancer::length({std::nan(""), 1, 2})));
+  CHECK(lancer::normalize({0, -infinite, 1}).y == -infinite);
 }
 
 }  // namespace lancer
