@@ -266,6 +266,20 @@ void check_unknown_kind(Builder& b, const char* at) {
   if (!word.empty() && !lang::is_reserved(word)) fail_unknown_kind(b, begin, b.last_end);
 }
 
+/// Whether a word of other languages stands before a name on its line, with `=` or `(` behind that.
+bool declares_elsewhere(std::string_view word, const char* name, const char* end) {
+  constexpr std::array<std::string_view, 7> k_words = {"var",      "const", "local", "macro",
+                                                       "function", "def",   "module"};
+  if (std::find(k_words.begin(), k_words.end(), word) == k_words.end()) return false;
+  const std::string_view declared = word_at(name, end);
+  if (declared.empty() || lang::is_reserved(declared)) return false;
+  if (std::find(word.data() + word.size(), name, '\n') != name) return false;
+  const char* unclosed = nullptr;
+  const char* next = skip_blank(name + declared.size(), end, &unclosed);
+  const std::string_view rest(next, static_cast<std::size_t>(end - next));
+  return rest.starts_with('(') || (rest.starts_with('=') && !rest.starts_with("=="));
+}
+
 }  // namespace
 
 void fail(Builder& b, const char* at, Expectation expectation) {
@@ -330,6 +344,10 @@ void fail_if_foreign_statement(Builder& b, const char* at, const char* end) {
   const char* unclosed = nullptr;
   const char* next = skip_blank(at + word.size(), end, &unclosed);
   if (next != end && *next == '{') fail_unknown_kind(b, begin, word_span.end);
+  if (declares_elsewhere(word, next, end)) {
+    throw SyntaxError{error(Code::foreign_word, word_span, fmt::format("`{}` is no keyword", word),
+                            std::string(lang::foreign_hint(word)))};
+  }
   const std::string_view rest(next, static_cast<std::size_t>(end - next));
   for (std::string_view sign : {"+=", "-=", "*=", "/=", "++", "--"}) {
     if (!rest.starts_with(sign) || (sign[0] == sign[1] && word_at(next + 2, end) != "")) continue;

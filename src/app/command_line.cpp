@@ -141,6 +141,11 @@ std::optional<Answer> parse(CLI::App& app, std::vector<std::string> arguments) {
   std::reverse(arguments.begin(), arguments.end());
   try {
     app.parse(std::move(arguments));
+    for (const CLI::Option* option : app.get_options()) {
+      const std::vector<std::string> values = option->results();
+      const bool has_empty = std::find(values.begin(), values.end(), "") != values.end();
+      if (has_empty && option != app["FILE"]) return wrong(option->get_name() + " takes a value");
+    }
   } catch (const CLI::CallForHelp&) {
     return Answer{k_fine, app.help()};
   } catch (const CLI::ArgumentMismatch& problem) {

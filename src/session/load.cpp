@@ -61,6 +61,7 @@ class Loader {
     const std::optional<Found> found = find(std::string(include.path), folder);
     const auto refuse = [&](Code code, std::string message, std::string help) {
       out_.diagnostics.push_back(error(code, include.path_span, std::move(message), std::move(help)));
+      out_.skipped.push_back(include.span);
     };
     if (!found) {
       refuse(Code::include_missing, fmt::format("there is no file \"{}\"", include.path),
@@ -77,6 +78,7 @@ class Loader {
              "");
     } else if (std::find(read_.begin(), read_.end(), found->canonical) == read_.end()) {
       include.script = read(*found, include.path_span);
+      if (include.script == ast::k_no_script) out_.skipped.push_back(include.span);
     }
   }
 
@@ -100,7 +102,7 @@ class Loader {
     std::vector<std::string> places{folder};
     places.insert(places.end(), options_.include_folders.begin(), options_.include_folders.end());
     if (!options_.library_folder.empty()) places.push_back(options_.library_folder);
-    if (path.empty()) return std::nullopt;
+    if (path.empty() || path.find('\0') != std::string::npos) return std::nullopt;
     for (const std::string& place : places) {
       std::string name = (fs::path(place) / path).lexically_normal().string();
       std::string canonical = host_.canonical(name);

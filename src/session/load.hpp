@@ -15,7 +15,7 @@ namespace lancer::session {
 struct Loaded {
   std::deque<ast::Script> scripts;      // the first is the one that was started
   std::vector<Diagnostic> diagnostics;  // of all files
-  std::vector<Span> skipped;            // text that was not understood
+  std::vector<Span> skipped;            // text that was not understood or followed
   std::string problem;                  // set when a file could not be read
 
   std::vector<ast::Script*> pointers();

@@ -17,15 +17,30 @@
 namespace lancer::session {
 namespace {
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_name_part(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || is_digit(c);
+}
+
 bool is_name(std::string_view text) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-  return !text.empty() && is_letter(text[0]) && std::all_of(text.begin(), text.end(), [&](char c) {
-    return is_letter(c) || (c >= '0' && c <= '9');
-  });
+  return !text.empty() && !is_digit(text[0]) && std::all_of(text.begin(), text.end(), is_name_part);
 }
 
 void append(std::vector<Diagnostic>& to, std::vector<Diagnostic> more) {
   std::move(more.begin(), more.end(), std::back_inserter(to));
+}
+
+/// Whether text that was not understood may have made this name: it holds the word, or an `include`.
+bool may_make(std::string_view text, std::string_view name) {
+  const auto belongs = [](char c) { return is_name_part(c); };
+  for (auto at = text.begin(); at != text.end();) {
+    const auto begin = std::find_if(at, text.end(), belongs);
+    at = std::find_if_not(begin, text.end(), belongs);
+    const std::string_view word(begin, at);
+    if (word == name || word == "include") return true;
+  }
+  return false;
 }
 
 /// Where text was not understood, names that it may have made are not known to be missing.
@@ -36,7 +51,7 @@ void drop_consequences(std::vector<Diagnostic>& diagnostics, const std::vector<S
     if (d.code != Code::unknown_name && d.code != Code::cannot_assign) return false;
     const std::string_view word = sources.text(d.span);
     return std::any_of(skipped.begin(), skipped.end(),
-                       [&](Span s) { return sources.text(s).find(word) != std::string_view::npos; });
+                       [&](Span s) { return may_make(sources.text(s), word); });
   });
 }
 

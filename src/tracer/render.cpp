@@ -4,6 +4,7 @@
 #include <chrono>
 #include <limits>
 #include <mutex>
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 #include <vector>
@@ -157,8 +158,11 @@ struct Worker {
   }
 };
 
-/// Runs the worker on `threads` threads, or as many as the machine gives.
+/// Runs the worker on `threads` threads, which may be more than the machine has.
 void on_threads(int threads, const Worker& worker) {
+  constexpr auto k_limit = tbb::global_control::max_allowed_parallelism;
+  const std::size_t now = tbb::global_control::active_value(k_limit);
+  const tbb::global_control limit(k_limit, std::max(now, static_cast<std::size_t>(threads)));
   tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::task_group group;

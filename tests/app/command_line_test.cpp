@@ -49,6 +49,8 @@ TEST_CASE("command line: what is wrong is said in a line, with exit 2", "[app]")
   CHECK(complaint({scene, "-x"}) == "lancer: there is no option -x");
   CHECK(complaint({scene, "b.scn"}) == "lancer: `b.scn` is one file too many");
   CHECK(complaint({scene, "--size"}) == "lancer: --size takes a value");
+  CHECK(complaint({scene, "--size", ""}) == "lancer: --size takes a value");
+  CHECK(complaint({scene, "-o", ""}) == "lancer: --output takes a value");
   CHECK(complaint({scene, "--size", "1,1", "--size", "2,2"}) == "lancer: --size is given twice");
   CHECK(complaint({scene, "--size", "3"}) == "lancer: --size takes W,H, such as 640,480; this is `3`");
   CHECK(complaint({scene, "--size", "0,3"}) ==

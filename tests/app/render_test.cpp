@@ -255,6 +255,25 @@ TEST_CASE("render: a full standard output is 3", "[app][render]") {
   CHECK(run_program({"--version"}, {{}, {}, false, "/dev/full"}).exit_code == 3);
 }
 
+TEST_CASE("render: a file that may not grow so large is 3", "[app][render]") {
+  test::Folder f;
+  const std::string scene = f.write("a.scn", k_scene);
+  test::Setting setting;
+  setting.largest_file = 512;
+  const Result r =
+      run_program({scene, "--size", "100,100", "--format", "pfm", "-o", f.path("a.pfm")}, setting);
+  CHECK(r.exit_code == 3);
+  CHECK(r.err == "lancer: cannot write " + f.path("a.pfm") + ": file too large\n");
+  CHECK(f.names() == Names{"a.scn"});
+}
+
+TEST_CASE("render: more threads than the machine has are no cause for words", "[app][render]") {
+  test::Folder f;
+  const Result r = run_program({f.write("a.scn", k_scene), "--quiet", "--threads", "300"});
+  CHECK(r.exit_code == 0);
+  CHECK(r.err == "");
+}
+
 TEST_CASE("render: the script itself is not written over", "[app][render]") {
   test::Folder f;
   const std::string scene = f.write("a.scn", k_scene);

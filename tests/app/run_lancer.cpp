@@ -11,6 +11,7 @@
 #include <pty.h>
 #include <sstream>
 #include <stdexcept>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -56,6 +57,8 @@ pid_t fork_quietly() {
   words.push_back(nullptr);
   if (!setting.folder.empty() && chdir(setting.folder.c_str()) != 0) _exit(99);
   if (setting.as_nobody && geteuid() == 0 && (setgid(65534) != 0 || setuid(65534) != 0)) _exit(98);
+  const rlimit largest{setting.largest_file, setting.largest_file};
+  if (setting.largest_file > 0 && setrlimit(RLIMIT_FSIZE, &largest) != 0) _exit(96);
   // The test program's own handlers must not answer a signal that comes early.
   for (const int number : {SIGINT, SIGTERM}) ::signal(number, SIG_DFL);
   const sigset_t none = no_signals();

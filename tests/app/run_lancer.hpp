@@ -35,10 +35,11 @@ struct Result {
 };
 
 struct Setting {
-  std::string input;       // standard input
-  std::string folder;      // the working directory; empty: the test's own
-  bool as_nobody = false;  // without the rights of the superuser
-  std::string out_path;    // standard output goes to this file in place of Result::out
+  std::string input;          // standard input
+  std::string folder;         // the working directory; empty: the test's own
+  bool as_nobody = false;     // without the rights of the superuser
+  std::string out_path;       // standard output goes to this file in place of Result::out
+  unsigned largest_file = 0;  // bytes that a file may have; 0: any number
 };
 
 Result run_program(const std::vector<std::string>& arguments, const Setting& setting = {});

@@ -108,6 +108,31 @@ TEST_CASE("session: syntax errors and unknown names of all files are told in one
   CHECK(codes == std::vector<std::string>{"E001", "E001", "E020"});
 }
 
+TEST_CASE("session: only whole words of what was not understood are names that it may have made",
+          "[session]") {
+  Fixture f;
+  const session::Run run = f.run("print(a)\nlocation {}\nlet lost = )\nprint(lost)\n");
+  REQUIRE(run.diagnostics.size() == 3);
+  CHECK(run.diagnostics.back().message == "nothing is called `a` here");
+}
+
+TEST_CASE("session: names are not missing where an include was not read", "[session][include]") {
+  Fixture f;
+  f.host.files["/outside/a.scn"] = "let gold = 1\n";
+  for (const std::string include :
+       {"include \"none.scn\"", "include \"../outside/a.scn\"", "include none.scn"}) {
+    f.host.files["/scenes/main.scn"] = include + "\nprint(gold)\nsilver = gold\n";
+    CAPTURE(include);
+    CHECK(f.session.run_file("/scenes/main.scn", f.options).diagnostics.size() == 1);
+  }
+}
+
+TEST_CASE("session: a path with a zero byte in it is no file's", "[session][include]") {
+  Fixture f;
+  CHECK(code_name(f.run("include \"a\\u{0}.scn\"\n").diagnostics.front().code) == "E040");
+  CHECK(f.first(f.run("include \"a\\u{0}.scn\"\n")).find("there is no file") != std::string::npos);
+}
+
 TEST_CASE("session: a definition from outside takes the place of the script's own let", "[session][define]") {
   Fixture f;
   f.options.defines = {{"n", "2 + 3"}};
