@@ -153,11 +153,6 @@ Code code_for(const Builder& b, const char* at) {
 
 char closer_of(char opener) { return opener == '(' ? ')' : opener == '[' ? ']' : opener == '<' ? '>' : '}'; }
 
-bool begins_statement(std::string_view word) {
-  const auto words = lang::statement_words();
-  return std::find(words.begin(), words.end(), word) != words.end() || lang::find_kind(word).has_value();
-}
-
 /// Whether what was found can only mean that the innermost bracket was left open.
 bool is_unclosed(const Builder& b, const char* at, Expectation expectation) {
   if (b.brackets.empty()) return false;

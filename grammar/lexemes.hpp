@@ -36,6 +36,9 @@ std::string to_utf8(std::uint32_t code_point);
 /// Invalid UTF-8 and control characters, each at its place.
 std::vector<Diagnostic> check_text(std::string_view text, std::uint32_t file);
 
+/// Whether a statement begins with this word: `let`, `for`, ..., or a kind.
+bool begins_statement(std::string_view word);
+
 /// Where the next statement may begin after a mistake: `start` is where the faulty one began, `failed` where
 /// it went wrong. Brackets opened in between are followed to their ends; a line that begins with a
 /// statement's word at or left of the start's column ends the search in an unclosed one.

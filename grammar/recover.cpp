@@ -11,11 +11,6 @@
 namespace lancer::grammar {
 namespace {
 
-bool begins_statement(std::string_view word) {
-  const auto words = lang::statement_words();
-  return std::find(words.begin(), words.end(), word) != words.end() || lang::find_kind(word).has_value();
-}
-
 std::ptrdiff_t column(std::string_view text, const char* at) {
   const char* line = at;
   while (line != text.data() && line[-1] != '\n') --line;
@@ -46,6 +41,11 @@ bool close(std::vector<char>& open, char closer) {
 }
 
 }  // namespace
+
+bool begins_statement(std::string_view word) {
+  const auto words = lang::statement_words();
+  return std::find(words.begin(), words.end(), word) != words.end() || lang::find_kind(word).has_value();
+}
 
 const char* next_statement(std::string_view text, const char* start, const char* failed) {
   const char* end = text.data() + text.size();
