@@ -5,15 +5,6 @@
 #include "grammar/take.hpp"
 
 namespace lancer::grammar {
-std::string_view word_at(const char* at, const char* end) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-  const char* stop = at;
-  if (stop != end && is_letter(*stop)) {
-    while (stop != end && (is_letter(*stop) || (*stop >= '0' && *stop <= '9'))) ++stop;
-  }
-  return {at, static_cast<std::size_t>(stop - at)};
-}
-
 Builder::Mark Builder::mark() const {
   return {exprs.size(), stmts.size(),  attributes.size(), parameters.size(), scopes.size(), words.size(),
           names.size(), pieces.size(), operators.size(),  comparers.size(),  signs.size()};
@@ -65,6 +56,12 @@ Builder::Word Builder::take_word() {
   const Word out = words.back();
   words.pop_back();
   return out;
+}
+
+std::string_view Builder::last_word() const {
+  std::uint32_t begin = last_end;
+  while (begin > 0 && is_word_character(text_[begin - 1])) --begin;
+  return word_at(text_.data() + begin, text_.data() + last_end);
 }
 
 std::ptrdiff_t Builder::operands_since(const char* begin) const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
+#include "grammar/lexemes.hpp"
 #include "lang/ast.hpp"
 
 namespace lancer::grammar {
@@ -35,6 +36,9 @@ class Builder {
   std::uint32_t last_end = 0;
   /// Where the token before that ended.
   std::uint32_t previous_end = 0;
+
+  /// The word that the last token was; empty where it was none.
+  std::string_view last_word() const;
 
   // --- Context that rules ask about ---
   bool comparisons = true;  // a bare comparison is an expression here
@@ -174,8 +178,5 @@ class Builder {
   ast::Arena& arena_;
   bool closed_range_ = false;  // the range just read ends with its last number
 };
-
-/// The identifier that begins at `at`; empty where none does.
-std::string_view word_at(const char* at, const char* end);
 
 }  // namespace lancer::grammar

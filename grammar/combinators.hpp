@@ -32,31 +32,91 @@ bool match_rule(Input& in, Builder& b) {
   return Control<Rule>::template match<A, M, Action, Control>(in, b);
 }
 
-template <bool Allowed, class Rule>
-struct with_comparisons {
-  using rule_t = with_comparisons;
+/// Matches `Rule` while a Guard, made of the Builder and the place, keeps a context.
+template <class Guard, class Rule>
+struct within {
+  using rule_t = within;
   using subs_t = p::type_list<Rule>;
   template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
             template <class...> class Control, class Input>
   static bool match(Input& in, Builder& b) {
-    const Restore<bool> restore(b.comparisons, Allowed);
+    const Guard guard(b, in.current());
     return match_rule<A, M, Action, Control, Rule>(in, b);
   }
 };
 
-/// One level deeper in blocks and expressions; too deep ends the parse.
-template <class Rule>
-struct deeper {
-  using rule_t = deeper;
-  using subs_t = p::type_list<Rule>;
-  template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
-            template <class...> class Control, class Input>
-  static bool match(Input& in, Builder& b) {
-    if (b.depth >= k_max_depth) fail_too_deep(b, in.current());
-    const Restore<int> restore(b.depth, b.depth + 1);
-    return match_rule<A, M, Action, Control, Rule>(in, b);
+template <bool Allowed>
+struct ComparisonsAllowed : Restore<bool> {
+  ComparisonsAllowed(Builder& b, const char*) : Restore(b.comparisons, Allowed) {}
+};
+template <bool Allowed, class Rule>
+using with_comparisons = within<ComparisonsAllowed<Allowed>, Rule>;
+
+struct OneDeeper : Restore<int> {
+  OneDeeper(Builder& b, const char* at) : Restore(b.depth, b.depth + 1) {
+    if (b.depth > k_max_depth) fail_too_deep(b, at);
   }
 };
+/// One level deeper in blocks and expressions; too deep ends the parse.
+template <class Rule>
+using deeper = within<OneDeeper, Rule>;
+
+struct Function {
+  Restore<bool> function;
+  Restore<int> loops;
+  Function(Builder& b, const char*) : function(b.in_function, true), loops(b.loops, 0) {}
+};
+template <class Rule>
+using in_function = within<Function, Rule>;
+
+struct Loop : Restore<int> {
+  Loop(Builder& b, const char*) : Restore(b.loops, b.loops + 1) {}
+};
+template <class Rule>
+using in_loop = within<Loop, Rule>;
+
+struct Braces : Restore<int> {
+  Braces(Builder& b, const char*) : Restore(b.blocks, b.blocks + 1) {}
+};
+/// Within braces: not at the top level of the file.
+template <class Rule>
+using in_block = within<Braces, Rule>;
+
+/// Pushes a kind for as long as its block lasts.
+class KindScope {
+ public:
+  KindScope(Builder& b, ast::Kind kind) : kinds_(b.kinds), any_(b.any_kind, false) { kinds_.push_back(kind); }
+  ~KindScope() { kinds_.pop_back(); }
+  KindScope(const KindScope&) = delete;
+  KindScope& operator=(const KindScope&) = delete;
+
+ private:
+  std::vector<ast::Kind>& kinds_;
+  Restore<bool> any_;
+};
+
+struct ReadKind : KindScope {
+  ReadKind(Builder& b, const char*) : KindScope(b, b.pending_kind) {}
+};
+/// Within the block of the kind whose word was just read.
+template <class Rule>
+using in_kind = within<ReadKind, Rule>;
+
+template <ast::Kind Kind>
+struct GivenKind : KindScope {
+  GivenKind(Builder& b, const char*) : KindScope(b, Kind) {}
+};
+template <class Rule>
+using in_material = within<GivenKind<ast::Kind::material>, Rule>;
+template <class Rule>
+using in_settings = within<GivenKind<ast::Kind::settings>, Rule>;
+
+struct AnyKind : Restore<bool> {
+  AnyKind(Builder& b, const char*) : Restore(b.any_kind, true) {}
+};
+/// Within the block of `modify`, where any kind's attribute may stand.
+template <class Rule>
+using in_any_kind = within<AnyKind, Rule>;
 
 /// An opening token, what follows it, its closing token among that. Open brackets are known while it lasts.
 template <class Open, class... Rest>
@@ -78,104 +138,11 @@ struct bracketed {
   }
 };
 
-template <class Rule>
-struct in_function {
-  using rule_t = in_function;
-  using subs_t = p::type_list<Rule>;
-  template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
-            template <class...> class Control, class Input>
-  static bool match(Input& in, Builder& b) {
-    const Restore<bool> function(b.in_function, true);
-    const Restore<int> loops(b.loops, 0);
-    return match_rule<A, M, Action, Control, Rule>(in, b);
-  }
-};
-
-template <class Rule>
-struct in_loop {
-  using rule_t = in_loop;
-  using subs_t = p::type_list<Rule>;
-  template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
-            template <class...> class Control, class Input>
-  static bool match(Input& in, Builder& b) {
-    const Restore<int> loops(b.loops, b.loops + 1);
-    return match_rule<A, M, Action, Control, Rule>(in, b);
-  }
-};
-
-/// Within braces: not at the top level of the file.
-template <class Rule>
-struct in_block {
-  using rule_t = in_block;
-  using subs_t = p::type_list<Rule>;
-  template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
-            template <class...> class Control, class Input>
-  static bool match(Input& in, Builder& b) {
-    const Restore<int> blocks(b.blocks, b.blocks + 1);
-    return match_rule<A, M, Action, Control, Rule>(in, b);
-  }
-};
-
-/// Pushes a kind for as long as its block lasts.
-class KindScope {
- public:
-  KindScope(Builder& b, ast::Kind kind) : kinds_(b.kinds), any_(b.any_kind, false) { kinds_.push_back(kind); }
-  ~KindScope() { kinds_.pop_back(); }
-  KindScope(const KindScope&) = delete;
-  KindScope& operator=(const KindScope&) = delete;
-
- private:
-  std::vector<ast::Kind>& kinds_;
-  Restore<bool> any_;
-};
-
-/// Within the block of the kind whose word was just read.
-template <class... Rules>
-struct in_kind {
-  using rule_t = in_kind;
-  using subs_t = p::type_list<Rules...>;
-  template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
-            template <class...> class Control, class Input>
-  static bool match(Input& in, Builder& b) {
-    const KindScope scope(b, b.pending_kind);
-    return (match_rule<A, p::rewind_mode::dontcare, Action, Control, Rules>(in, b) && ...);
-  }
-};
-
-template <ast::Kind Kind, class Rule>
-struct in_given_kind {
-  using rule_t = in_given_kind;
-  using subs_t = p::type_list<Rule>;
-  template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
-            template <class...> class Control, class Input>
-  static bool match(Input& in, Builder& b) {
-    const KindScope scope(b, Kind);
-    return match_rule<A, M, Action, Control, Rule>(in, b);
-  }
-};
-template <class Rule>
-using in_material = in_given_kind<ast::Kind::material, Rule>;
-template <class Rule>
-using in_settings = in_given_kind<ast::Kind::settings, Rule>;
-
-/// Within the block of `modify`, where any kind's attribute may stand.
-template <class Rule>
-struct in_any_kind {
-  using rule_t = in_any_kind;
-  using subs_t = p::type_list<Rule>;
-  template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
-            template <class...> class Control, class Input>
-  static bool match(Input& in, Builder& b) {
-    const Restore<bool> any(b.any_kind, true);
-    return match_rule<A, M, Action, Control, Rule>(in, b);
-  }
-};
-
-/// Matches `Rule`; where it throws, the message is kept, what it left on the stacks is dropped, and the text
-/// is skipped to where the next statement may begin.
-template <class Rule>
-struct recovering {
-  using rule_t = recovering;
+/// Matches `Rule`; where it throws, what it left on the stacks is dropped, and the text is skipped to where
+/// the next statement may begin. The message is kept where it is `Told`.
+template <bool Told, class Rule>
+struct resuming {
+  using rule_t = resuming;
   using subs_t = p::type_list<Rule>;
   template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
             template <class...> class Control, class Input>
@@ -187,37 +154,20 @@ struct recovering {
       return match_rule<A, M, Action, Control, Rule>(in, b);
     } catch (SyntaxError& problem) {
       if (problem.last) throw;
-      target = recover(b, problem, start, mark);
+      b.reset(mark);
+      target = end_of_mistake(b, problem, start);
+      if (Told) tell(b, problem);
     }
-    in.bump(static_cast<std::size_t>(std::max(target, in.current()) - in.current()));
-    const char* behind = behind_blank(in.current(), in.end());
+    const char* behind = behind_blank(std::max(target, in.current()), in.end());
     in.bump(static_cast<std::size_t>(behind - in.current()));
     return true;
   }
 };
-
-/// Matches `Rule`, which belongs to a mistake that is reported already: where it throws, the text is skipped
-/// in silence.
 template <class Rule>
-struct forgiving {
-  using rule_t = forgiving;
-  using subs_t = p::type_list<Rule>;
-  template <p::apply_mode A, p::rewind_mode M, template <class...> class Action,
-            template <class...> class Control, class Input>
-  static bool match(Input& in, Builder& b) {
-    const char* start = in.current();
-    const Builder::Mark mark = b.mark();
-    try {
-      return match_rule<A, M, Action, Control, Rule>(in, b);
-    } catch (SyntaxError& problem) {
-      if (problem.last) throw;
-      b.reset(mark);
-      const char* target = end_of_mistake(b, problem, start);
-      in.bump(static_cast<std::size_t>(std::max(target, in.current()) - in.current()));
-      return true;
-    }
-  }
-};
+using recovering = resuming<true, Rule>;
+/// For what belongs to a mistake that is told already.
+template <class Rule>
+using forgiving = resuming<false, Rule>;
 
 }  // namespace lancer::grammar::rules
 
@@ -225,27 +175,11 @@ namespace TAO_PEGTL_NAMESPACE {
 
 namespace g = lancer::grammar::rules;
 
-template <class Name, bool Allowed, class Rule>
-struct analyze_traits<Name, g::with_comparisons<Allowed, Rule>> : analyze_seq_traits<Rule> {};
-template <class Name, class Rule>
-struct analyze_traits<Name, g::deeper<Rule>> : analyze_seq_traits<Rule> {};
+template <class Name, class Guard, class Rule>
+struct analyze_traits<Name, g::within<Guard, Rule>> : analyze_seq_traits<Rule> {};
 template <class Name, class... Rules>
 struct analyze_traits<Name, g::bracketed<Rules...>> : analyze_seq_traits<Rules...> {};
-template <class Name, class Rule>
-struct analyze_traits<Name, g::in_function<Rule>> : analyze_seq_traits<Rule> {};
-template <class Name, class Rule>
-struct analyze_traits<Name, g::in_loop<Rule>> : analyze_seq_traits<Rule> {};
-template <class Name, class Rule>
-struct analyze_traits<Name, g::in_block<Rule>> : analyze_seq_traits<Rule> {};
-template <class Name, class... Rules>
-struct analyze_traits<Name, g::in_kind<Rules...>> : analyze_seq_traits<Rules...> {};
-template <class Name, lancer::ast::Kind Kind, class Rule>
-struct analyze_traits<Name, g::in_given_kind<Kind, Rule>> : analyze_seq_traits<Rule> {};
-template <class Name, class Rule>
-struct analyze_traits<Name, g::in_any_kind<Rule>> : analyze_seq_traits<Rule> {};
-template <class Name, class Rule>
-struct analyze_traits<Name, g::recovering<Rule>> : analyze_seq_traits<Rule> {};
-template <class Name, class Rule>
-struct analyze_traits<Name, g::forgiving<Rule>> : analyze_seq_traits<Rule> {};
+template <class Name, bool Told, class Rule>
+struct analyze_traits<Name, g::resuming<Told, Rule>> : analyze_seq_traits<Rule> {};
 
 }  // namespace TAO_PEGTL_NAMESPACE

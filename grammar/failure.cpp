@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "grammar/foreign.hpp"
 #include "grammar/lexemes.hpp"
 #include "lang/keywords.hpp"
 
@@ -42,11 +43,6 @@ std::string found(const Builder& b, const char* at) {
   return fmt::format("`{}`", token_at(b, at));
 }
 
-Span token_span(const Builder& b, const char* at) {
-  const std::uint32_t begin = b.offset(at);
-  return b.span(begin, at == end_of(b) ? begin : begin + static_cast<std::uint32_t>(token_at(b, at).size()));
-}
-
 /// Before a token on a later line, the message points behind the last one: there something is missing.
 Span place_of(const Builder& b, const char* at) {
   const std::string_view between = b.text().substr(b.last_end, b.offset(at) - b.last_end);
@@ -55,30 +51,8 @@ Span place_of(const Builder& b, const char* at) {
   return token_span(b, at);
 }
 
-/// What C, POV-Ray and OpenSCAD people mean by these signs.
-std::string_view sign_help(std::string_view token) {
-  using Pair = std::pair<std::string_view, std::string_view>;
-  constexpr std::array k_help = {
-      Pair{"&&", "`&&` is `and`"}, Pair{"&", "`&` is `and`"},
-      Pair{"||", "`||` is `or`"},  Pair{"|", "`|` is `or`"},
-      Pair{"!", "`!` is `not`"},   Pair{"=>", "`=>` is `->`: fn (a) -> a + 1"},
-      Pair{"**", "`**` is `^`"},   Pair{"'", "strings stand in double quotes"},
-  };
-  for (const auto& [sign, help] : k_help) {
-    if (sign == token) return help;
-  }
-  return {};
-}
-
 bool is_comparison(std::string_view token) {
   return token == "<" || token == ">" || token == "<=" || token == ">=" || token == "==" || token == "!=";
-}
-
-/// `rgb <1, 0, 0>`, POV-Ray's way to write a colour.
-bool is_foreign_color(const Builder& b, const char* at) {
-  const std::string_view before = b.text().substr(0, b.last_end);
-  return *at == '<' && (before.ends_with("rgb") || before.ends_with("rgbf") || before.ends_with("rgbt") ||
-                        before.ends_with("color"));
 }
 
 /// Directly within a vector or an object's block, where a comparison needs parentheses.
@@ -88,30 +62,19 @@ bool in_closed_place(const Builder& b) {
   return opener == '<' || (opener == '{' && !b.kinds.empty());
 }
 
-/// The word that the last token was, or nothing.
-std::string_view last_word(const Builder& b) {
-  const auto is_word = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-  };
-  std::uint32_t begin = b.last_end;
-  while (begin > 0 && is_word(b.text()[begin - 1])) --begin;
-  return word_at(b.text().data() + begin, b.text().data() + b.last_end);
-}
-
 /// A variable that bears an attribute's name, where an attribute begins.
 bool is_shadowed_variable(const Builder& b, const char* at, Expectation expectation) {
   const bool ends =
       *at == ',' || *at == '}' || *at == '.' || *at == '+' || *at == '-' || *at == '*' || *at == '/';
-  return expectation.role == Expectation::Role::value && ends && !b.kinds.empty() &&
-         lang::find_attribute(b.kinds.back(), last_word(b)) != nullptr;
+  return expectation.is_value() && ends && !b.kinds.empty() &&
+         lang::find_attribute(b.kinds.back(), b.last_word()) != nullptr;
 }
 
 /// `center <0, 0, 0>, radius 1`: behind the comma the attribute's name was taken for a value.
 bool is_separated_attribute(const Builder& b, Expectation expectation) {
-  if (expectation.role != Expectation::Role::closer || b.kinds.empty() || b.brackets.empty() ||
-      b.text()[b.brackets.back()] != '{')
+  if (!expectation.is_closer() || b.kinds.empty() || b.brackets.empty() || b.text()[b.brackets.back()] != '{')
     return false;
-  const std::string_view word = last_word(b);
+  const std::string_view word = b.last_word();
   if (word.empty() || lang::find_attribute(b.kinds.back(), word) == nullptr) return false;
   const std::string_view before = b.text().substr(0, b.last_end - static_cast<std::uint32_t>(word.size()));
   const std::size_t sign = before.find_last_not_of(" \t\r\n");
@@ -125,20 +88,21 @@ std::string help_for(const Builder& b, const char* at, Expectation expectation) 
   if (const std::string_view help = sign_help(token); !help.empty()) return std::string(help);
   if (is_shadowed_variable(b, at, expectation)) {
     return fmt::format("here `{0}` is the attribute; a variable of that name is `{0} {0}` or `({0})`",
-                       last_word(b));
+                       b.last_word());
   }
   if (is_separated_attribute(b, expectation))
-    return fmt::format("no comma stands before an attribute: `{}` was read as a value here", last_word(b));
-  if (std::string_view(expectation.wanted) == "a name for the loop's variable")
+    return fmt::format("no comma stands before an attribute: `{}` was read as a value here", b.last_word());
+  if (expectation.role == Expectation::Role::loop_name)
     return "a loop is `for i in 0..10 { .. }`, without parentheses";
   if (is_foreign_color(b, at)) return "`rgb <1, 0, 0>` is `rgb(1, 0, 0)`";
   if (static_cast<unsigned char>(*at) >= 0x80) return "letters outside ASCII belong in strings and comments";
   if (in_closed_place(b) && is_comparison(token))
     return "in a vector or block a comparison stands in parentheses: `(a < b)`";
-  if (token == "=" && expectation.role != Expectation::Role::value) {
+  if (token == "=" && !expectation.is_value()) {
     return b.kinds.empty() ? "equality is `==`" : "an attribute's value follows without `=`: `radius 1`";
   }
-  if (token == "," && std::string_view(expectation.wanted) == "`>`") return "a vector has 2 or 3 components";
+  if (token == "," && expectation.role == Expectation::Role::vector_end)
+    return "a vector has 2 or 3 components";
   if (token == ":") return b.kinds.empty() ? "" : "an attribute's value follows without `:`: `radius 1`";
   return std::string(lang::foreign_hint(token));
 }
@@ -159,9 +123,8 @@ bool is_unclosed(const Builder& b, const char* at, Expectation expectation) {
   if (at == end_of(b)) return true;
   const char opener = b.text()[b.brackets.back()];
   if (opener == '"') return false;
-  if ((*at == ')' || *at == ']' || *at == '}') && *at != closer_of(opener))
-    return expectation.role == Expectation::Role::closer;
-  if (expectation.role != Expectation::Role::closer) return false;
+  if ((*at == ')' || *at == ']' || *at == '}') && *at != closer_of(opener)) return expectation.is_closer();
+  if (!expectation.is_closer()) return false;
   const char* line = at;
   while (line != b.text().data() && (line[-1] == ' ' || line[-1] == '\t')) --line;
   const bool first_on_line = line == b.text().data() || line[-1] == '\n';
@@ -186,22 +149,6 @@ bool is_unclosed(const Builder& b, const char* at, Expectation expectation) {
   throw out;
 }
 
-/// `word {` where no kind stands: another language's object, or a misspelt one.
-[[noreturn]] void fail_unknown_kind(Builder& b, std::uint32_t begin, std::uint32_t end) {
-  const std::string_view word = b.text().substr(begin, end - begin);
-  std::vector<std::string_view> kinds;
-  for (const auto& kind : lang::all_kinds()) kinds.push_back(kind.id);
-  const std::string_view near = nearest(word, kinds);
-  const std::string_view hint = lang::foreign_hint(word);
-  std::string help = !hint.empty()   ? std::string(hint)
-                     : !near.empty() ? fmt::format("did you mean `{}`?", near)
-                                     : std::string(
-                                           "the kinds are sphere, plane, cube, box, facet, mesh, group, "
-                                           "light, sun, spot, view, material and settings");
-  throw SyntaxError{error(hint.empty() ? Code::syntax : Code::foreign_word, b.span(begin, end),
-                          fmt::format("`{}` is no kind of object", word), std::move(help))};
-}
-
 /// The quote of a string around this place that does not end on its own line; nothing where there is none.
 std::optional<std::uint32_t> broken_string(const Builder& b, const char* at) {
   for (auto bracket = b.brackets.rbegin(); bracket != b.brackets.rend(); ++bracket) {
@@ -214,8 +161,7 @@ std::optional<std::uint32_t> broken_string(const Builder& b, const char* at) {
 
 /// Where the `}` of an interpolation should stand, the quote that was to end the string.
 bool is_open_interpolation(const Builder& b, const char* at, Expectation expectation) {
-  if (at == end_of(b) || *at != '"' || expectation.role != Expectation::Role::closer || b.brackets.size() < 2)
-    return false;
+  if (at == end_of(b) || *at != '"' || !expectation.is_closer() || b.brackets.size() < 2) return false;
   return b.text()[b.brackets.back()] == '{' && b.text()[b.brackets[b.brackets.size() - 2]] == '"';
 }
 
@@ -232,9 +178,7 @@ bool is_open_interpolation(const Builder& b, const char* at, Expectation expecta
 
 void check_reserved(const Builder& b, const char* at, Expectation expectation) {
   const std::string_view word = word_at(at, end_of(b));
-  const bool is_name = expectation.role == Expectation::Role::name ||
-                       std::string_view(expectation.wanted).starts_with("a parameter's name");
-  if (!is_name || word.empty()) return;
+  if (!expectation.is_name() || word.empty()) return;
   throw SyntaxError{error(Code::reserved_word, token_span(b, at),
                           fmt::format("`{}` is a reserved word and cannot be a name", word),
                           fmt::format("choose another name, such as `my_{}` or `{}_1`", word, word))};
@@ -243,7 +187,7 @@ void check_reserved(const Builder& b, const char* at, Expectation expectation) {
 /// `a[0] = 1`, `v.x = 1`, `f(a) = a`: an `=` behind an expression that is no variable.
 void check_assigned(const Builder& b, const char* at, Expectation expectation) {
   const bool is_assignment =
-      at != end_of(b) && *at == '=' && std::string_view(expectation.wanted) == "a statement";
+      at != end_of(b) && *at == '=' && expectation.role == Expectation::Role::statement;
   if (!is_assignment || b.stmts.empty() || b.stmts.back()->kind != ast::StmtKind::expression) return;
   const ast::Expr& target = *ast::as<ast::ExprStmt>(*b.stmts.back()).value;
   if (target.span.end != b.last_end) return;
@@ -256,26 +200,17 @@ void check_assigned(const Builder& b, const char* at, Expectation expectation) {
 /// The word that ended just before, where a `{` was found behind it.
 void check_unknown_kind(Builder& b, const char* at) {
   if (at == end_of(b) || *at != '{' || b.last_end == 0) return;
-  const std::string_view word = last_word(b);
+  const std::string_view word = b.last_word();
   const std::uint32_t begin = b.last_end - static_cast<std::uint32_t>(word.size());
   if (!word.empty() && !lang::is_reserved(word)) fail_unknown_kind(b, begin, b.last_end);
 }
 
-/// Whether a word of other languages stands before a name on its line, with `=` or `(` behind that.
-bool declares_elsewhere(std::string_view word, const char* name, const char* end) {
-  constexpr std::array<std::string_view, 7> k_words = {"var",      "const", "local", "macro",
-                                                       "function", "def",   "module"};
-  if (std::find(k_words.begin(), k_words.end(), word) == k_words.end()) return false;
-  const std::string_view declared = word_at(name, end);
-  if (declared.empty() || lang::is_reserved(declared)) return false;
-  if (std::find(word.data() + word.size(), name, '\n') != name) return false;
-  const char* unclosed = nullptr;
-  const char* next = skip_blank(name + declared.size(), end, &unclosed);
-  const std::string_view rest(next, static_cast<std::size_t>(end - next));
-  return rest.starts_with('(') || (rest.starts_with('=') && !rest.starts_with("=="));
-}
-
 }  // namespace
+
+Span token_span(const Builder& b, const char* at) {
+  const std::uint32_t begin = b.offset(at);
+  return b.span(begin, at == end_of(b) ? begin : begin + static_cast<std::uint32_t>(token_at(b, at).size()));
+}
 
 void fail(Builder& b, const char* at, Expectation expectation) {
   if (const auto quote = broken_string(b, at)) fail_string(b, *quote);
@@ -284,8 +219,7 @@ void fail(Builder& b, const char* at, Expectation expectation) {
   check_reserved(b, at, expectation);
   check_assigned(b, at, expectation);
   check_unknown_kind(b, at);
-  if (at != end_of(b) && expectation.role == Expectation::Role::value)
-    fail_if_foreign_statement(b, at, end_of(b));
+  if (at != end_of(b) && expectation.is_value()) fail_if_foreign_statement(b, at, end_of(b));
   SyntaxError out{error(code_for(b, at), place_of(b, at),
                         fmt::format("expected {}, found {}", expectation.wanted, found(b, at)),
                         help_for(b, at, expectation))};
@@ -311,66 +245,6 @@ void fail_unclosed_comment(Builder& b, const char* opener) {
   throw out;
 }
 
-void fail_if_directive(Builder& b, const char* begin, const char* end) {
-  const std::string_view word(begin + 1, static_cast<std::size_t>(end - begin - 1));
-  constexpr std::array<std::string_view, 17> k_directives = {
-      "declare", "local",  "macro", "include", "if",     "else",    "elseif",  "end",  "while",
-      "for",     "switch", "case",  "ifdef",   "ifndef", "version", "default", "debug"};
-  if (std::find(k_directives.begin(), k_directives.end(), word) == k_directives.end()) return;
-  std::string_view help = lang::foreign_hint(word);
-  if (word == "include") help = "write include \"file.scn\", without `#`";
-  if (word == "if" || word == "while" || word == "for" || word == "else")
-    help = "write it without `#`, with a block in braces";
-  const std::uint32_t at = b.offset(begin);
-  throw SyntaxError{error(Code::foreign_word, b.span(at, b.offset(end)),
-                          fmt::format("`#{}` is a directive of POV-Ray's language", word),
-                          std::string(help))};
-}
-
-void fail_if_foreign_statement(Builder& b, const char* at, const char* end) {
-  const std::string_view word = word_at(at, end);
-  if (word.empty()) return;
-  const std::uint32_t begin = b.offset(at);
-  const Span word_span = b.span(begin, begin + static_cast<std::uint32_t>(word.size()));
-  if (word == "else")
-    throw SyntaxError{error(Code::misplaced, word_span, "`else` follows the `}` of an `if`")};
-  if (word == "settings" && b.blocks > 0) return;
-  if (lang::is_reserved(word)) return;
-  const char* unclosed = nullptr;
-  const char* next = skip_blank(at + word.size(), end, &unclosed);
-  if (next != end && *next == '{') fail_unknown_kind(b, begin, word_span.end);
-  if (declares_elsewhere(word, next, end)) {
-    throw SyntaxError{error(Code::foreign_word, word_span, fmt::format("`{}` is no keyword", word),
-                            std::string(lang::foreign_hint(word)))};
-  }
-  const std::string_view rest(next, static_cast<std::size_t>(end - next));
-  for (std::string_view sign : {"+=", "-=", "*=", "/=", "++", "--"}) {
-    if (!rest.starts_with(sign) || (sign[0] == sign[1] && word_at(next + 2, end) != "")) continue;
-    const std::uint32_t place = b.offset(next);
-    throw SyntaxError{
-        error(Code::foreign_word, b.span(place, place + 2), fmt::format("there is no `{}`", sign),
-              fmt::format("write `{0} = {0} {1} {2}`", word, sign[0], sign[1] == '=' ? ".." : "1"))};
-  }
-}
-
-void fail_if_foreign_color(const Builder& b, const char* at, const char* end) {
-  if (at == end || *at != '<' || !is_foreign_color(b, at)) return;
-  constexpr std::ptrdiff_t k_farthest = 500;
-  end = std::min(end - at, k_farthest) + at;
-  int depth = 0;
-  int commas = 0;
-  for (const char* c = at + 1; c != end && depth >= 0 && *c != '{' && *c != '}' && *c != ';' && *c != '"';
-       ++c) {
-    if (*c == '(' || *c == '[') ++depth;
-    if (*c == ')' || *c == ']') --depth;
-    if (*c == ',' && depth == 0) ++commas;
-    if (*c != '>' || depth != 0) continue;
-    if (commas < 2) return;
-    throw SyntaxError{error(Code::foreign_word, token_span(b, at), "expected `(`, found `<`",
-                            "`rgb <1, 0, 0>` is `rgb(1, 0, 0)`")};
-  }
-}
-
 const char* end_of_mistake(Builder& b, const SyntaxError& problem, const char* start) {
   const char* target = nullptr;
   if (problem.resume_here) {
@@ -384,12 +258,12 @@ const char* end_of_mistake(Builder& b, const SyntaxError& problem, const char* s
   return target;
 }
 
-const char* recover(Builder& b, SyntaxError& problem, const char* start, const Builder::Mark& mark) {
-  b.reset(mark);
-  const char* target = end_of_mistake(b, problem, start);
+void tell(Builder& b, SyntaxError& problem) {
+  if (b.diagnostics.size() + 1 >= k_most_errors) {
+    problem.last = true;
+    throw std::move(problem);
+  }
   b.report(std::move(problem.diagnostic));
-  if (b.diagnostics.size() >= k_most_errors) throw SyntaxError{std::move(b.diagnostics.back()), false, true};
-  return target;
 }
 
 }  // namespace lancer::grammar

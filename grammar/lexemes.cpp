@@ -7,7 +7,6 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_word(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
 /// Behind a comment that nests; null where it does not end.
 const char* skip_block_comment(const char* at, const char* end) {
@@ -64,6 +63,15 @@ bool is_control(std::string_view text, std::size_t i, std::size_t length) {
 
 }  // namespace
 
+bool is_word_character(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+std::string_view word_at(const char* at, const char* end) {
+  if (at == end || is_digit(*at)) return {at, 0};
+  const char* stop = at;
+  while (stop != end && is_word_character(*stop)) ++stop;
+  return {at, static_cast<std::size_t>(stop - at)};
+}
+
 const char* skip_blank(const char* at, const char* end, const char** unclosed) {
   for (;;) {
     while (at != end && (*at == ' ' || *at == '\n' || *at == '\t' || *at == '\r')) ++at;
@@ -83,6 +91,11 @@ const char* skip_blank(const char* at, const char* end, const char** unclosed) {
   }
 }
 
+const char* behind_blank(const char* at, const char* end) {
+  const char* unclosed = nullptr;
+  return skip_blank(at, end, &unclosed);
+}
+
 const char* scan_number(const char* at, const char* end) {
   const char* c = at;
   if (c == end || !(is_digit(*c) || (*c == '.' && c + 1 != end && is_digit(c[1])))) return at;
@@ -91,7 +104,7 @@ const char* scan_number(const char* at, const char* end) {
                                (c[-1] == 'e' || c[-1] == 'E') && c - at >= 2 &&
                                (is_digit(c[-2]) || c[-2] == '.');
     const bool point = *c == '.' && !(c + 1 != end && c[1] == '.');
-    if (!is_word(*c) && !point && !exponent_sign) break;
+    if (!is_word_character(*c) && !point && !exponent_sign) break;
     // The two dots of a range do not belong to the number before them.
     if (*c == '.' && c != at && c[-1] == '.') break;
     ++c;

@@ -12,9 +12,17 @@
 
 namespace lancer::grammar {
 
+/// Letters, digits and `_`.
+bool is_word_character(char c);
+/// The identifier that begins at `at`; empty where none does.
+std::string_view word_at(const char* at, const char* end);
+
 /// Behind white space and comments. `unclosed` is set to the `/*` of a comment that does not end (the result
 /// is then `end`).
 const char* skip_blank(const char* at, const char* end, const char** unclosed);
+
+/// The same, where an unclosed comment is somebody else's matter.
+const char* behind_blank(const char* at, const char* end);
 
 /// Behind the number that begins at `at`, or what looks like one and is malformed; `at` itself where none
 /// begins.

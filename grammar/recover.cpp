@@ -53,8 +53,7 @@ const char* next_statement(std::string_view text, const char* start, const char*
   std::vector<char> open;
   const char* at = start;
   while (at != end) {
-    const char* unclosed = nullptr;
-    const char* token = skip_blank(at, end, &unclosed);
+    const char* token = behind_blank(at, end);
     const bool behind = token >= failed && token != start;
     const bool line_break = std::find(at, token, '\n') != token;
     if (token == end) return end;
@@ -78,8 +77,7 @@ const char* skip_braces(std::string_view text, const char* at) {
   const char* end = text.data() + text.size();
   int depth = 0;
   while (at != end) {
-    const char* unclosed = nullptr;
-    at = skip_blank(at, end, &unclosed);
+    at = behind_blank(at, end);
     if (at == end) return end;
     const char c = *at;
     std::string_view word;

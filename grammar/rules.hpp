@@ -224,7 +224,7 @@ struct block_body : p::sor<p::seq<kind_is_group, p::must<group_braces>>, p::must
 struct block_name : string {};
 struct kind_word : tok<kind_identifier> {};
 /// kind "name" { ... }
-struct constructed : p::seq<kind_word, in_kind<p::opt<block_name>, block_body>> {};
+struct constructed : p::seq<kind_word, in_kind<p::seq<p::opt<block_name>, block_body>>> {};
 
 // --- Statements
 // ----------------------------------------------------------------------------------------------

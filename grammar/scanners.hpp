@@ -9,6 +9,7 @@
 
 #include "grammar/builder.hpp"
 #include "grammar/failure.hpp"
+#include "grammar/foreign.hpp"
 #include "grammar/lexemes.hpp"
 #include "lang/keywords.hpp"
 
@@ -100,11 +101,6 @@ inline bool is_attribute(const Builder& b, std::string_view word) {
   if (word.empty()) return false;
   if (b.any_kind) return lang::find_attribute(word) != nullptr;
   return !b.kinds.empty() && lang::find_attribute(b.kinds.back(), word) != nullptr;
-}
-
-inline const char* behind_blank(const char* at, const char* end) {
-  const char* unclosed = nullptr;
-  return skip_blank(at, end, &unclosed);
 }
 
 struct ScanAttribute {

@@ -30,4 +30,15 @@ std::string_view Arena::text(std::string_view s) {
   return {out, s.size()};
 }
 
+std::string_view symbol(BinaryOp op) {
+  switch (op) {
+    case BinaryOp::add: return "+";
+    case BinaryOp::subtract: return "-";
+    case BinaryOp::multiply: return "*";
+    case BinaryOp::divide: return "/";
+    case BinaryOp::modulo: return "%";
+  }
+  return "";
+}
+
 }  // namespace lancer::ast

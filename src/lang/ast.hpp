@@ -149,6 +149,8 @@ struct Unary : Expr {
 };
 
 enum class BinaryOp : std::uint8_t { add, subtract, multiply, divide, modulo };
+/// "+", "-", ...
+std::string_view symbol(BinaryOp op);
 struct Link {
   BinaryOp op;
   Expr* operand;

@@ -13,17 +13,6 @@ namespace {
 
 using ast::BinaryOp;
 
-std::string_view symbol(BinaryOp op) {
-  switch (op) {
-    case BinaryOp::add: return "+";
-    case BinaryOp::subtract: return "-";
-    case BinaryOp::multiply: return "*";
-    case BinaryOp::divide: return "/";
-    case BinaryOp::modulo: return "%";
-  }
-  return "";
-}
-
 double apply(BinaryOp op, double a, double b) {
   switch (op) {
     case BinaryOp::add: return a + b;

@@ -61,17 +61,6 @@ std::string quoted(std::string_view text) {
   return out + '"';
 }
 
-std::string_view symbol(BinaryOp op) {
-  switch (op) {
-    case BinaryOp::add: return "+";
-    case BinaryOp::subtract: return "-";
-    case BinaryOp::multiply: return "*";
-    case BinaryOp::divide: return "/";
-    case BinaryOp::modulo: return "%";
-  }
-  return "";
-}
-
 std::string_view symbol(CompareOp op) {
   switch (op) {
     case CompareOp::equal: return "==";

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/deep_stack.hpp"
+#include "grammar/lexemes.hpp"
 #include "grammar/parse.hpp"
 #include "lang/build_object.hpp"
 #include "lang/evaluate.hpp"
@@ -17,14 +18,8 @@
 namespace lancer::session {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-bool is_name_part(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || is_digit(c);
-}
-
 bool is_name(std::string_view text) {
-  return !text.empty() && !is_digit(text[0]) && std::all_of(text.begin(), text.end(), is_name_part);
+  return !text.empty() && grammar::word_at(text.data(), text.data() + text.size()).size() == text.size();
 }
 
 void append(std::vector<Diagnostic>& to, std::vector<Diagnostic> more) {
@@ -33,10 +28,9 @@ void append(std::vector<Diagnostic>& to, std::vector<Diagnostic> more) {
 
 /// Whether text that was not understood may have made this name: it holds the word, or an `include`.
 bool may_make(std::string_view text, std::string_view name) {
-  const auto belongs = [](char c) { return is_name_part(c); };
   for (auto at = text.begin(); at != text.end();) {
-    const auto begin = std::find_if(at, text.end(), belongs);
-    at = std::find_if_not(begin, text.end(), belongs);
+    const auto begin = std::find_if(at, text.end(), grammar::is_word_character);
+    at = std::find_if_not(begin, text.end(), grammar::is_word_character);
     const std::string_view word(begin, at);
     if (word == name || word == "include") return true;
   }
