@@ -10,6 +10,7 @@ namespace {
 struct Candidate {
   std::uint32_t primitive = 0;
   Root root;
+  Interval own;  // where the primitive's bounds are
   double at_least = 0;
 };
 
@@ -20,13 +21,13 @@ class Candidates {
   /// No surface beyond this distance can be the first.
   const double& limit() const { return limit_; }
 
-  void add(std::uint32_t primitive, const Root& root, double box_enter) {
-    const double at_least = std::fmax(root.low, box_enter);
-    const double at_most = std::fmax(root.high, box_enter);
+  void add(std::uint32_t primitive, const Root& root, const Interval& own) {
+    const double at_least = std::fmax(root.low, own.enter);
+    const double at_most = std::fmax(root.high, own.enter);
     if (at_least > limit_) return;
     limit_ = std::fmin(limit_, at_most);
     if (list_.size() >= k_tidy) tidy();
-    list_.push_back({primitive, root, at_least});
+    list_.push_back({primitive, root, own, at_least});
   }
 
   void tidy() {
@@ -39,6 +40,7 @@ class Candidates {
 
   const Candidate* begin() const { return list_.begin(); }
   const Candidate* end() const { return list_.end(); }
+  std::size_t size() const { return list_.size(); }
   bool empty() const { return list_.empty(); }
 
  private:
@@ -47,12 +49,15 @@ class Candidates {
   double limit_ = std::numeric_limits<double>::infinity();
 };
 
+constexpr Interval k_anywhere{0, std::numeric_limits<double>::infinity()};
+
 Candidates search(const World& world, const Ray& ray, Stats& stats) {
   Candidates candidates;
   for (const Contact& contact : ray.contacts) {
     if (at_start(contact, world.primitives[contact.primitive].kind, ray.direction) ==
         AtStart::passes_through) {
-      candidates.add(contact.primitive, exit(world, contact.primitive, ray.origin, ray.direction), 0);
+      candidates.add(contact.primitive, exit(world, contact.primitive, ray.origin, ray.direction),
+                     k_anywhere);
     }
   }
   const Probe probe(ray);
@@ -66,8 +71,8 @@ Candidates search(const World& world, const Ray& ray, Stats& stats) {
       const Interval own = own_interval(world, primitive, probe);
       if (!(own.enter <= own.leave)) break;
       const Root root = within(found.root[i], own);
-      if (is_echo(ray, world.primitives[primitive], root)) continue;
-      candidates.add(primitive, root, own.enter);
+      if (is_echo(world, ray, primitive, root)) continue;
+      candidates.add(primitive, root, own);
       break;
     }
     return false;
@@ -75,6 +80,17 @@ Candidates search(const World& world, const Ray& ray, Stats& stats) {
   for (const std::uint32_t primitive : world.unbounded) test(primitive);
   world.tree.traverse(probe, candidates.limit(), stats.node_visits,
                       [&](std::uint32_t item) { return test(world.bounded[item]); });
+  candidates.tidy();
+  return candidates;
+}
+
+/// Where the quick bounds leave several, only what the surfaces' own rounding leaves open.
+Candidates settled(const World& world, const Ray& ray, const Candidates& quick) {
+  Candidates candidates;
+  for (const Candidate& c : quick) {
+    const Landing landing = land(world, c.primitive, ray.origin, ray.direction, c.root);
+    candidates.add(c.primitive, within(landing.root, c.own), c.own);
+  }
   candidates.tidy();
   return candidates;
 }
@@ -170,13 +186,24 @@ AtStart at_start(const Contact& contact, Kind kind, Vec3 direction) {
   return is_convex_solid(kind) && outward < 0 ? AtStart::passes_through : AtStart::nothing;
 }
 
-bool is_echo(const Ray& ray, const Primitive& primitive, const Root& root) {
-  if (primitive.kind != Kind::facet || ray.contacts.empty()) return false;
+bool is_echo(const World& world, const Ray& ray, std::uint32_t primitive, const Root& root) {
+  if (world.primitives[primitive].kind != Kind::facet || ray.contacts.empty()) return false;
   if (root.t > root.error + ray.origin_error) return false;
+  const std::uint32_t shape = world.primitives[primitive].shape;
   for (const Contact& contact : ray.contacts) {
-    if (contact.shape == primitive.shape) return root.entering == contact.in_shape;
+    if (contact.shape != shape) continue;
+    const Root exactly = land(world, primitive, ray.origin, ray.direction, root).root;
+    return exactly.t <= exactly.error + ray.origin_error && root.entering == contact.in_shape;
   }
   return false;
+}
+
+bool is_before(const World& world, const Ray& ray, std::uint32_t primitive, const Root& root,
+               double distance) {
+  if (root.t + root.error < distance) return true;
+  if (root.t - root.error >= distance) return false;
+  const Root exactly = land(world, primitive, ray.origin, ray.direction, root).root;
+  return exactly.t + exactly.error < distance;
 }
 
 bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
@@ -193,19 +220,25 @@ bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
     for (Contact& c : hit.contacts) c.left = false;
     return true;
   }
-  const Candidates candidates = search(world, ray, stats);
+  Candidates candidates = search(world, ray, stats);
+  if (candidates.size() > 1) candidates = settled(world, ray, candidates);
   if (candidates.empty()) return false;
   const Candidate& first = first_met(world, ray, candidates);
+  const Landing landing = land(world, first.primitive, ray.origin, ray.direction, first.root);
   hit.primitive = first.primitive;
   hit.shape = world.primitives[first.primitive].shape;
-  hit.root = first.root;
+  hit.root = within(landing.root, first.own);
+  hit.point = landing.point;
+  hit.normal = landing.normal;
   // As the first, it is met no later than where any of the others must have been.
-  hit.root.t = std::fmin(hit.root.t, candidates.limit());
+  if (hit.root.t > candidates.limit()) {
+    hit.root.t = candidates.limit();
+    hit.point = project(world, hit.primitive, ray.origin + ray.direction * hit.root.t, hit.root.face);
+    hit.normal = normal(world, hit.primitive, hit.point, hit.root.face);
+  }
   const double since = hit.root.t - std::fmax(hit.root.low, 0);
   hit.root.error = std::fmin(hit.root.error, std::fmax(since, candidates.limit() - hit.root.t));
-  hit.point = project(world, hit.primitive, ray.origin + ray.direction * hit.root.t, hit.root.face);
   hit.point_error = hit.root.error + 4 * k_u * max_abs(hit.point);
-  hit.normal = normal(world, hit.primitive, hit.point, hit.root.face);
   collect_contacts(world, ray, candidates, hit);
   return true;
 }

@@ -59,7 +59,11 @@ inline const Contact* find_contact(const Contacts& contacts, std::uint32_t primi
 
 /// Next to its start a ray that leaves a mesh can only meet those of its facets that fit the side that it is
 /// on: a neighbour across an edge, missed or met by rounding alone, is not crossed a second time.
-bool is_echo(const Ray& ray, const Primitive& primitive, const Root& root);
+bool is_echo(const World& world, const Ray& ray, std::uint32_t primitive, const Root& root);
+
+/// Is the crossing before the ray has gone `distance`, whatever the surface's own rounding?
+bool is_before(const World& world, const Ray& ray, std::uint32_t primitive, const Root& root,
+               double distance);
 
 /// The part of the ray within the primitive's own bounds. A root counts only where this is not empty, which
 /// makes the answer the same for every tree.
@@ -80,7 +84,9 @@ inline Root within(Root root, const Interval& own) {
 
 template <class Visit>
 bool crossings(const World& world, const Ray& ray, double distance, Stats& stats, Visit visit) {
-  const auto before_end = [distance](const Root& root) { return root.t + root.error < distance; };
+  const auto before_end = [&](std::uint32_t primitive, const Root& root) {
+    return is_before(world, ray, primitive, root, distance);
+  };
   for (const Contact& contact : ray.contacts) {
     const Kind kind = world.primitives[contact.primitive].kind;
     const AtStart start = at_start(contact, kind, ray.direction);
@@ -89,11 +95,13 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
     if (start == AtStart::meets) {
       Root root = plain_root(0, ray.origin_error, enters);
       root.face = contact.face;
-      if (before_end(root) && visit(Crossing{contact.primitive, contact.shape, root})) return true;
+      const bool counts = root.error < distance;
+      if (counts && visit(Crossing{contact.primitive, contact.shape, root})) return true;
     }
     if (is_convex_solid(kind) && (enters || start == AtStart::passes_through)) {
       const Root root = exit(world, contact.primitive, ray.origin, ray.direction);
-      if (before_end(root) && visit(Crossing{contact.primitive, contact.shape, root})) return true;
+      const bool counts = before_end(contact.primitive, root);
+      if (counts && visit(Crossing{contact.primitive, contact.shape, root})) return true;
     }
   }
   const Probe probe(ray);
@@ -106,7 +114,7 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
       const Interval own = own_interval(world, primitive, probe);
       if (!(own.enter <= own.leave) || !(own.enter <= distance)) return false;
       const Root root = within(found.root[i], own);
-      if (!before_end(root) || is_echo(ray, world.primitives[primitive], root)) continue;
+      if (!before_end(primitive, root) || is_echo(world, ray, primitive, root)) continue;
       if (visit(Crossing{primitive, world.primitives[primitive].shape, root})) return true;
     }
     return false;

@@ -1,6 +1,7 @@
 #include "tracer/media.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace lancer::tracer {
@@ -9,25 +10,32 @@ namespace {
 /// Where the ray first leaves the shape; infinite where it never does.
 Root way_out(const World& world, std::uint32_t shape, const Probe& probe, Stats& stats) {
   Root nearest = plain_root(std::numeric_limits<double>::infinity(), 0, false);
+  std::uint32_t through = world.first_primitive[shape];
   const auto test = [&](std::uint32_t primitive) {
     ++stats.shape_tests;
     const Roots found = roots(world, primitive, probe);
     for (int i = 0; i < found.count; ++i) {
       const Root& root = found.root[i];
-      if (!root.entering && root.t > 0 && root.t < nearest.t) nearest = root;
+      if (root.entering || !(root.t > 0) || !(root.t < nearest.t)) continue;
+      nearest = root;
+      through = primitive;
     }
   };
   const std::uint32_t first = world.first_primitive[shape], last = world.first_primitive[shape + 1];
+  const auto exactly = [&] {
+    return std::isinf(nearest.t) ? nearest
+                                 : land(world, through, probe.origin, probe.direction, nearest).root;
+  };
   if (last - first == 1) {
     test(first);
-    return nearest;
+    return exactly();
   }
   world.tree.traverse(probe, nearest.t, stats.node_visits, [&](std::uint32_t item) {
     const std::uint32_t primitive = world.bounded[item];
     if (primitive >= first && primitive < last) test(primitive);
     return false;
   });
-  return nearest;
+  return exactly();
 }
 
 /// Is a ray from a point exactly on the shape's surface about to be inside?

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/double_double.hpp"
 #include "base/vec.hpp"
 
 namespace lancer::tracer {
@@ -14,24 +15,6 @@ inline constexpr double k_u = 0x1p-53;
 
 /// The bound of the relative error of n rounded operations (Higham, Accuracy and Stability, section 3.1).
 constexpr double gamma(int n) { return n * k_u / (1 - n * k_u); }
-
-/// An unevaluated sum of two doubles, |low| <= ulp(high) / 2.
-struct Double2 {
-  double high = 0, low = 0;
-};
-
-/// a + b exactly (Knuth).
-inline Double2 two_sum(double a, double b) {
-  const double sum = a + b;
-  const double from_b = sum - a;
-  return {sum, (a - (sum - from_b)) + (b - from_b)};
-}
-
-/// a b exactly, where it does not underflow.
-inline Double2 two_product(double a, double b) {
-  const double product = a * b;
-  return {product, std::fma(a, b, -product)};
-}
 
 /// a b - c d within 1.5 ulp and of exact sign (Kahan; Jeannerod, Louvet, Muller 2013).
 inline double difference_of_products(double a, double b, double c, double d) {
@@ -44,18 +27,19 @@ inline double difference_of_products(double a, double b, double c, double d) {
 class Accurate {
  public:
   void add(double value) {
-    const Double2 sum = two_sum(high_, value);
-    high_ = sum.high;
-    low_ += sum.low;
+    const DoubleDouble sum = two_sum(high_, value);
+    high_ = sum.hi;
+    low_ += sum.lo;
   }
   void add_product(double a, double b) {
-    const Double2 product = two_product(a, b);
-    add(product.high);
-    low_ += product.low;
+    const DoubleDouble product = two_product(a, b);
+    add(product.hi);
+    low_ += product.lo;
   }
   /// For terms far below the sum's own rounding.
   void add_small(double value) { low_ += value; }
   double value() const { return high_ + low_; }
+  DoubleDouble sum() const { return two_sum(high_, low_); }
 
  private:
   double high_ = 0, low_ = 0;

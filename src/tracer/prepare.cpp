@@ -51,9 +51,9 @@ void add_sphere(World& world, std::uint32_t shape, const scene::Sphere& sphere, 
     append(world, world.spheres, SpherePrimitive{center, sphere.radius * factor, slack}, Kind::sphere, shape);
     return;
   }
-  EllipsoidPrimitive ellipsoid{center, transform.to_object.rows, map.rows, slack};
-  for (Vec3& row : ellipsoid.to_own) row = row / sphere.radius;
+  EllipsoidPrimitive ellipsoid{center, {}, map.rows, slack};
   for (Vec3& row : ellipsoid.to_world) row = row * sphere.radius;
+  ellipsoid.to_own = accurate_inverse(ellipsoid.to_world);
   append(world, world.ellipsoids, ellipsoid, Kind::ellipsoid, shape);
 }
 
@@ -75,7 +75,6 @@ void add_plane(World& world, std::uint32_t shape, const scene::Plane& plane, con
 void add_box(World& world, std::uint32_t shape, const scene::Box& box, const Transform& transform) {
   const Transform& frame = world.scene->transforms[box.frame];
   const Affine map = box.frame == 0 ? transform.to_world : then(frame.to_world, transform.to_world);
-  const Affine back = box.frame == 0 ? transform.to_object : then(transform.to_object, frame.to_object);
   BoxPrimitive out;
   const Vec3 corner{std::fmax(std::fabs(box.lo.x), std::fabs(box.hi.x)),
                     std::fmax(std::fabs(box.lo.y), std::fabs(box.hi.y)),
@@ -90,10 +89,12 @@ void add_box(World& world, std::uint32_t shape, const scene::Box& box, const Tra
   } else {
     out.aligned = false;
     out.center = map.point(box.lo * 0.5 + box.hi * 0.5);
-    out.hi = box.hi * 0.5 - box.lo * 0.5;
-    out.lo = -out.hi;
-    out.to_own = back.rows;
-    out.to_world = map.rows;
+    const Vec3 half = box.hi * 0.5 - box.lo * 0.5;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 row = map.rows[i];
+      out.to_world[i] = {row.x * half.x, row.y * half.y, row.z * half.z};
+    }
+    out.to_own = accurate_inverse(out.to_world);
   }
   append(world, world.boxes, out, Kind::box, shape);
 }

@@ -67,6 +67,13 @@ struct Root {
   double low = 0, high = 0;
   bool entering = true;
   std::uint8_t face = 0;  // of a box: 2 axis, + 1 for the upper side
+
+  /// The distance may be off by `more`.
+  void widen(double more) {
+    error += more;
+    low -= more;
+    high += more;
+  }
 };
 
 /// A root whose slope is not in doubt.

@@ -64,6 +64,18 @@ Root exit(const World& world, std::uint32_t primitive, Vec3 origin, Vec3 directi
   return {};
 }
 
+Landing land(const World& world, std::uint32_t primitive, Vec3 origin, Vec3 direction, const Root& root) {
+  const Primitive p = world.primitives[primitive];
+  switch (p.kind) {
+    case Kind::sphere: return land(world.spheres[p.record], origin, direction, root);
+    case Kind::ellipsoid: return land(world.ellipsoids[p.record], origin, direction, root);
+    case Kind::plane: return land(world.planes[p.record], origin, direction, root);
+    case Kind::box: return land(world.boxes[p.record], origin, direction, root);
+    case Kind::facet: return land(world.facets[p.record], origin, direction, root);
+  }
+  return {};
+}
+
 Vec3 normal(const World& world, std::uint32_t primitive, Vec3 at, int face) {
   const Primitive p = world.primitives[primitive];
   switch (p.kind) {

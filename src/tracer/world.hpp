@@ -66,6 +66,8 @@ bool encloses(const scene::Scene& scene, std::uint32_t shape);
 Roots roots(const World& world, std::uint32_t primitive, const Probe& probe);
 /// Of a convex solid.
 Root exit(const World& world, std::uint32_t primitive, Vec3 origin, Vec3 direction);
+/// The crossing that `root` is near, to the last bit.
+Landing land(const World& world, std::uint32_t primitive, Vec3 origin, Vec3 direction, const Root& root);
 /// Outward, unit length, at a point on the primitive.
 Vec3 normal(const World& world, std::uint32_t primitive, Vec3 p, int face);
 Vec3 project(const World& world, std::uint32_t primitive, Vec3 p, int face);

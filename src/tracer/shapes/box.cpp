@@ -2,11 +2,14 @@
 
 #include <limits>
 
+#include "tracer/shapes/careful.hpp"
 #include "tracer/shapes/linear_form.hpp"
-#include "tracer/shapes/linear_map.hpp"
+#include "tracer/shapes/planar.hpp"
 
 namespace lancer::tracer {
 namespace {
+
+constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 /// A ray in the frame of the test, with bounds of what each component is off.
 struct Local {
@@ -15,67 +18,180 @@ struct Local {
 };
 
 Local to_frame(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
-  if (box.aligned) return {origin, direction, {box.slack, box.slack, box.slack}, {}};
+  if (box.aligned) return {origin, direction, {}, {}};
   const Vec3 offset = origin - box.center;
-  Local local{apply(box.to_own, offset), apply(box.to_own, direction),
-              apply_abs(box.to_own, offset) * (8 * k_u), apply_abs(box.to_own, direction) * (8 * k_u)};
-  for (int axis = 0; axis < 3; ++axis)
-    local.origin_error[axis] += sum_abs(box.to_own[static_cast<std::size_t>(axis)]) * box.slack;
-  return local;
+  return {apply(box.to_own, offset), apply(box.to_own, direction), apply_abs(box.to_own, offset) * (6 * k_u),
+          apply_abs(box.to_own, direction) * (4 * k_u)};
 }
 
-/// Where the ray crosses the side of `axis`; the axis' direction component is not 0.
-Root side_crossing(const BoxPrimitive& box, const Local& ray, int axis, bool upper) {
+Vec3 row(const BoxPrimitive& box, int axis) {
+  if (!box.aligned) return box.to_own[static_cast<std::size_t>(axis)];
+  Vec3 n;
+  n[axis] = 1;
+  return n;
+}
+
+/// Where the ray crosses a side, as computed.
+struct Side {
+  double t = 0, error = 0;
+  int face = 0;
+};
+
+Side side_crossing(const BoxPrimitive& box, const Local& ray, int axis, bool upper) {
   const double gap = (upper ? box.hi[axis] : box.lo[axis]) - ray.origin[axis];
-  const double d = ray.direction[axis];
-  Root root = crossing({gap, k_u * std::fabs(gap) + ray.origin_error[axis]}, {d, 0},
-                       ray.direction_error[axis], upper == (d < 0));
-  root.face = static_cast<std::uint8_t>(2 * axis + (upper ? 1 : 0));
+  const double t = gap / ray.direction[axis];
+  const double moved = (ray.origin_error[axis] + std::fabs(t) * ray.direction_error[axis]) * (4.0 / 3);
+  return {t, moved / std::fabs(ray.direction[axis]) + 2 * k_u * std::fabs(t), 2 * axis + (upper ? 1 : 0)};
+}
+
+enum class Answer : std::uint8_t { no, yes, unknown };
+
+/// The part of a ray inside the box, by its sides, and what is known of it.
+class Clip {
+ public:
+  Clip(const BoxPrimitive& box, const Local& ray) : box_(box), ray_(ray) {
+    for (int axis = 0; axis < 3; ++axis) {
+      // A direction that may point either way across a pair of sides is left for the end.
+      if (std::fabs(ray.direction[axis]) <= 4 * ray.direction_error[axis]) continue;
+      const bool upwards = ray.direction[axis] > 0;
+      add(side_crossing(box, ray, axis, !upwards), side_crossing(box, ray, axis, upwards));
+    }
+  }
+
+  const Side& enter() const { return enter_; }
+  const Side& leave() const { return leave_; }
+
+  /// Is the ray inside the box anywhere on its line?
+  Answer hits() const {
+    if (enter_.t - enter_.error > leave_.t + leave_.error) return Answer::no;
+    Answer answer = enter_.t + enter_.error < leave_.t - leave_.error ? Answer::yes : Answer::unknown;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::fabs(ray_.direction[axis]) > 4 * ray_.direction_error[axis]) continue;
+      const Answer within = stays_within(axis);
+      if (within == Answer::no) return within;
+      if (within == Answer::unknown) answer = within;
+    }
+    return answer;
+  }
+
+  /// Is it certain through which sides?
+  bool knows_faces() const { return !enter_tied_ && !leave_tied_; }
+
+ private:
+  void add(const Side& in, const Side& out) {
+    const bool later = in.t > enter_.t, sooner = out.t < leave_.t;
+    const bool close_in = std::fabs(in.t - enter_.t) <= in.error + enter_.error;
+    const bool close_out = std::fabs(out.t - leave_.t) <= out.error + leave_.error;
+    enter_tied_ = close_in || (enter_tied_ && !later);
+    leave_tied_ = close_out || (leave_tied_ && !sooner);
+    if (later) enter_ = in;
+    if (sooner) leave_ = out;
+  }
+
+  /// Between the other sides, along a direction that is all but parallel to the sides of `axis`?
+  Answer stays_within(int axis) const {
+    const double farthest = std::fmax(std::fabs(enter_.t) + enter_.error, std::fabs(leave_.t) + leave_.error);
+    const double drift = (std::fabs(ray_.direction[axis]) + ray_.direction_error[axis]) * farthest;
+    const double doubt = ray_.origin_error[axis] + drift * (1 + 4 * k_u);
+    const double at = ray_.origin[axis], lo = box_.lo[axis], hi = box_.hi[axis];
+    if (at < lo - doubt || at > hi + doubt) return Answer::no;
+    return at >= lo + doubt && at <= hi - doubt ? Answer::yes : Answer::unknown;
+  }
+
+  const BoxPrimitive& box_;
+  const Local& ray_;
+  Side enter_{-k_infinity, 0, 0}, leave_{k_infinity, 0, 0};
+  bool enter_tied_ = false, leave_tied_ = false;
+};
+
+bool knows_sign(const Side& side) { return side.error == 0 || std::fabs(side.t) > side.error; }
+
+/// With the bounds that follow from the rounding of the box and of its way into the world.
+Root banded(const BoxPrimitive& box, double t, bool entering, int face, Vec3 direction) {
+  const Vec3 n = row(box, face / 2);
+  const double slope = dot(n, direction);
+  const double doubt = box.aligned ? 0 : 8 * k_u * dot(abs(n), abs(direction));
+  Root root = crossing({t * slope, sum_abs(n) * box.slack}, {slope, 0}, doubt, entering);
+  root.t = t;
+  root.face = static_cast<std::uint8_t>(face);
   return root;
+}
+
+Root banded(const BoxPrimitive& box, const Side& side, bool entering, Vec3 direction) {
+  Root root = banded(box, side.t, entering, side.face, direction);
+  root.widen(side.error);
+  return root;
+}
+
+Landings careful_landings(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
+  Landings found = careful(box, origin, direction);
+  for (int i = 0; i < found.count; ++i) {
+    Root& root = found.at[static_cast<std::size_t>(i)].root;
+    root = banded(box, root.t, root.entering, root.face, direction);
+  }
+  return found;
+}
+
+/// The plane of a side, its normal to the upper side.
+Planar plane_of(const BoxPrimitive& box, int face) {
+  const int axis = face / 2;
+  const double level = face % 2 == 0 ? box.lo[axis] : box.hi[axis];
+  if (!box.aligned) return planar(row(box, axis), level, box.center);
+  Vec3 at;
+  at[axis] = level;
+  return planar(row(box, axis), 0, at);
 }
 
 }  // namespace
 
 Roots roots(const BoxPrimitive& box, const Probe& probe) {
   const Local ray = to_frame(box, probe.origin, probe.direction);
-  constexpr double k_infinity = std::numeric_limits<double>::infinity();
-  Root enter = plain_root(-k_infinity, 0, true);
-  Root leave = plain_root(k_infinity, 0, false);
-  for (int axis = 0; axis < 3; ++axis) {
-    const double d = ray.direction[axis];
-    if (d == 0) {
-      if (ray.origin[axis] < box.lo[axis] || ray.origin[axis] > box.hi[axis]) return {};
-      continue;
-    }
-    const Root in = side_crossing(box, ray, axis, d < 0);
-    const Root out = side_crossing(box, ray, axis, d > 0);
-    if (in.t > enter.t) enter = in;
-    if (out.t < leave.t) leave = out;
+  const Clip clip(box, ray);
+  const Answer hits = clip.hits();
+  if (hits == Answer::no) return {};
+  const Side &in = clip.enter(), &out = clip.leave();
+  if (hits == Answer::yes && clip.knows_faces() && knows_sign(in) && knows_sign(out)) {
+    return {2, {banded(box, in, true, probe.direction), banded(box, out, false, probe.direction)}};
   }
-  if (!(enter.t <= leave.t)) return {};
-  return {2, {enter, leave}};
+  const Landings exactly = careful_landings(box, probe.origin, probe.direction);
+  return {exactly.count, {exactly.at[0].root, exactly.at[1].root}};
 }
 
 Root exit(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
   const Local ray = to_frame(box, origin, direction);
-  Root leave = plain_root(std::numeric_limits<double>::infinity(), 0, false);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (ray.direction[axis] == 0) continue;
-    const Root out = side_crossing(box, ray, axis, ray.direction[axis] > 0);
-    if (out.t < leave.t) leave = out;
+  const Clip clip(box, ray);
+  if (!clip.knows_faces()) {
+    const Landings exactly = careful_landings(box, origin, direction);
+    if (exactly.count == 2 && exactly.at[1].root.t > 0) return exactly.at[1].root;
   }
+  Root leave = banded(box, clip.leave(), false, direction);
   leave.t = std::fmax(leave.t, 0);
   leave.high = std::fmax(leave.high, leave.t);
   return leave;
 }
 
+Landing land(const BoxPrimitive& box, Vec3 origin, Vec3 direction, const Root& root) {
+  const double sign = root.face % 2 == 0 ? -1 : 1;
+  Landing landing{root, {}, {}};
+  if (land(plane_of(box, root.face), origin, direction, root.t, landing) && landing.root.t > 0) {
+    landing.root = banded(box, landing.root.t, root.entering, root.face, direction);
+    landing.normal = landing.normal * sign;
+    return landing;
+  }
+  const Landings exactly = careful_landings(box, origin, direction);
+  landing = exactly.at[root.entering ? 0 : 1];
+  if (exactly.count == 2 && landing.root.t > 0) {
+    snap(plane_of(box, landing.root.face), landing.point);
+    return landing;
+  }
+  landing.root = root;
+  landing.point = project(box, origin + direction * root.t, root.face);
+  landing.normal = normal(box, root.face);
+  return landing;
+}
+
 Vec3 normal(const BoxPrimitive& box, int face) {
-  const int axis = face / 2;
-  const double sign = face % 2 == 0 ? -1 : 1;
-  if (!box.aligned) return normalize(box.to_own[static_cast<std::size_t>(axis)] * sign);
-  Vec3 n;
-  n[axis] = sign;
-  return n;
+  return unit(plane_of(box, face).n) * (face % 2 == 0 ? -1.0 : 1.0);
 }
 
 Vec3 project(const BoxPrimitive& box, Vec3 p, int face) {
@@ -93,12 +209,13 @@ Aabb bounds(const BoxPrimitive& box) {
 }
 
 double side(const BoxPrimitive& box, Vec3 p) {
-  const Vec3 own = box.aligned ? p : apply(box.to_own, p - box.center);
-  double out = -std::numeric_limits<double>::infinity();
+  const Local at = to_frame(box, p, {});
+  double out = -k_infinity, doubt = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    out = std::fmax(out, std::fmax(box.lo[axis] - own[axis], own[axis] - box.hi[axis]));
+    out = std::fmax(out, std::fmax(box.lo[axis] - at.origin[axis], at.origin[axis] - box.hi[axis]));
+    doubt = std::fmax(doubt, at.origin_error[axis] + k_u * std::fabs(at.origin[axis]));
   }
-  return out;
+  return std::fabs(out) > doubt || box.aligned ? out : careful_side(box, p);
 }
 
 }  // namespace lancer::tracer

@@ -3,24 +3,27 @@
 // sphere around the origin; the origin of the world is moved to its centre first, so that distance costs no
 // accuracy.
 
-#include <array>
-
 #include "tracer/aabb.hpp"
+#include "tracer/shapes/landing.hpp"
+#include "tracer/shapes/linear_map.hpp"
 
 namespace lancer::tracer {
 
+/// The points x with |to_own (x - center)| = 1.
 struct EllipsoidPrimitive {
   Vec3 center;
-  std::array<Vec3, 3> to_own;    // rows: offsets from the centre to the unit sphere's space
-  std::array<Vec3, 3> to_world;  // rows, and back
-  double slack = 0;              // in world units
+  Rows to_own;       // offsets from the centre to the unit sphere's space
+  Rows to_world;     // and back
+  double slack = 0;  // how far rounding may have moved the surface, in world units
 };
 
 Roots roots(const EllipsoidPrimitive& ellipsoid, const Probe& probe);
 Root exit(const EllipsoidPrimitive& ellipsoid, Vec3 origin, Vec3 direction);
+Landing land(const EllipsoidPrimitive& ellipsoid, Vec3 origin, Vec3 direction, const Root& root);
 Vec3 normal(const EllipsoidPrimitive& ellipsoid, Vec3 p);
 Vec3 project(const EllipsoidPrimitive& ellipsoid, Vec3 p);
 Aabb bounds(const EllipsoidPrimitive& ellipsoid);
+/// < 0 inside, 0 exactly on the surface, > 0 outside.
 double side(const EllipsoidPrimitive& ellipsoid, Vec3 p);
 
 }  // namespace lancer::tracer

@@ -1,87 +1,167 @@
 #include "tracer/shapes/facet.hpp"
 
 #include "base/math.hpp"
+#include "tracer/shapes/careful.hpp"
 #include "tracer/shapes/linear_form.hpp"
+#include "tracer/shapes/planar.hpp"
 
 namespace lancer::tracer {
 namespace {
 
-/// A corner as seen from the ray's start, sheared so that the ray runs along +z.
+/// A corner as seen from the ray's start, sheared so that the ray runs along +z; `size` bounds its
+/// coordinates before and after.
 struct Sheared {
   double x, y;
+  double size;
 };
 
 Sheared shear(Vec3 corner, const Probe& probe) {
   const Vec3 v = corner - probe.origin;
   const double z = v[probe.kz];
-  return {v[probe.kx] - probe.shear_x * z, v[probe.ky] - probe.shear_y * z};
+  return {v[probe.kx] - probe.shear_x * z, v[probe.ky] - probe.shear_y * z, sum_abs(v)};
 }
 
-/// Whether the plain difference of two products has the sign of the exact one.
-bool certain(double difference, double a, double b) {
-  return std::fabs(difference) > 4 * k_u * (std::fabs(a) + std::fabs(b));
+enum class Answer : std::uint8_t { no, yes, unknown };
+
+/// Is the ray on the same side of the three edges, each off by `doubt` at most?
+Answer same_side(double u, double v, double w, double doubt) {
+  const double least = std::fmin(u, std::fmin(v, w)), most = std::fmax(u, std::fmax(v, w));
+  if (least < -doubt && most > doubt) return Answer::no;
+  return least > doubt || most < -doubt ? Answer::yes : Answer::unknown;
 }
 
-struct Edges {
-  double u = 0, v = 0, w = 0;
-  bool outside(bool certain_u, bool certain_v, bool certain_w) const {
-    const bool negative = (certain_u && u < 0) || (certain_v && v < 0) || (certain_w && w < 0);
-    const bool positive = (certain_u && u > 0) || (certain_v && v > 0) || (certain_w && w > 0);
-    return negative && positive;
-  }
+struct Verdict {
+  Answer hits = Answer::unknown;
+  double determinant = 0;  // its sign: > 0 where the ray meets the front
 };
 
-/// Most facets are missed for certain in plain arithmetic, which spares them three exact products.
-bool surely_missed(const Sheared& a, const Sheared& b, const Sheared& c) {
-  const double u1 = c.x * b.y, u2 = c.y * b.x;
-  const double v1 = a.x * c.y, v2 = a.y * c.x;
-  const double w1 = b.x * a.y, w2 = b.y * a.x;
-  const Edges plain{u1 - u2, v1 - v2, w1 - w2};
-  return plain.outside(certain(plain.u, u1, u2), certain(plain.v, v1, v2), certain(plain.w, w1, w2));
+Verdict quick_test(const FacetPrimitive& f, const Probe& probe) {
+  const Sheared a = shear(f.a, probe), b = shear(f.b, probe), c = shear(f.c, probe);
+  const double u = c.x * b.y - c.y * b.x;
+  const double v = a.x * c.y - a.y * c.x;
+  const double w = b.x * a.y - b.y * a.x;
+  // Each sheared coordinate is off by 5 u size at most, and no larger than 2 size.
+  const double spread =
+      std::fabs(a.x) + std::fabs(a.y) + std::fabs(b.x) + std::fabs(b.y) + std::fabs(c.x) + std::fabs(c.y);
+  const double off = 5 * k_u * std::fmax(a.size, std::fmax(b.size, c.size));
+  return {same_side(u, v, w, (off + 2 * k_u * spread) * spread + 2 * off * off), u + v + w};
 }
 
-/// Where the ray meets the facet's plane, from the corner nearest to its start. The normal is off by 2 ulp at
-/// most, which the distance from that corner multiplies.
-Root plane_crossing(const FacetPrimitive& f, const Probe& probe) {
-  const Vec3 n = accurate_cross(f.b - f.a, f.c - f.a);
-  Vec3 nearest = f.a;
-  for (const Vec3 corner : {f.b, f.c}) {
-    if (sum_abs(corner - probe.origin) < sum_abs(nearest - probe.origin)) nearest = corner;
-  }
+DoubleDouble dot(const Triple2& a, Vec3 b) { return a[0] * b.x + a[1] * b.y + a[2] * b.z; }
+Triple2 cross(const Triple2& a, const Triple2& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The same in twice the precision, by triple products.
+Verdict long_test(const FacetPrimitive& f, const Probe& probe) {
+  const Triple2 a = exact_difference(f.a, probe.origin), b = exact_difference(f.b, probe.origin),
+                c = exact_difference(f.c, probe.origin);
+  const double u = -dot(cross(b, c), probe.direction).hi;
+  const double v = -dot(cross(c, a), probe.direction).hi;
+  const double w = -dot(cross(a, b), probe.direction).hi;
+  const double size = std::fmax(sum_abs(rounded(a)), std::fmax(sum_abs(rounded(b)), sum_abs(rounded(c))));
+  return {same_side(u, v, w, 256 * k_u * k_u * size * size), u + v + w};
+}
+
+Root with_slack(const FacetPrimitive& f, const Probe& probe, Vec3 n, Bounded depth, const Bounded& slope,
+                bool entering) {
   const double size = sum_abs(n);
-  Bounded depth = bounded_depth(0, n, probe.origin, nearest);
-  depth.error += size * (f.slack + 3 * k_u * sum_abs(probe.origin - nearest));
-  return crossing(depth, bounded_dot(n, probe.direction), size * 3 * k_u, true);
+  depth.error += size * (f.slack + 3 * k_u * sum_abs(probe.origin - f.a));
+  return crossing(depth, slope, size * 3 * k_u, entering);
+}
+
+/// Where the ray meets the facet's plane, in plain arithmetic.
+Root plane_crossing(const FacetPrimitive& f, const Probe& probe, bool entering) {
+  const Vec3 e1 = f.b - f.a, e2 = f.c - f.a, w = f.a - probe.origin;
+  const Vec3 n = lancer::cross(e1, e2);
+  const double n_error = 4 * k_u * sum_abs(e1) * sum_abs(e2);
+  const Vec3 depth_terms{n.x * w.x, n.y * w.y, n.z * w.z};
+  const Vec3 slope_terms{n.x * probe.direction.x, n.y * probe.direction.y, n.z * probe.direction.z};
+  const Bounded depth{depth_terms.x + depth_terms.y + depth_terms.z,
+                      4 * k_u * sum_abs(depth_terms) + n_error * sum_abs(w)};
+  const Bounded slope{slope_terms.x + slope_terms.y + slope_terms.z,
+                      3 * k_u * sum_abs(slope_terms) + n_error};
+  return with_slack(f, probe, n, depth, slope, entering);
+}
+
+/// The facet's plane, with the normal (b-a) x (c-a) in twice the precision.
+Planar plane_of(const FacetPrimitive& f) {
+  const Triple2 e1 = exact_difference(f.b, f.a), e2 = exact_difference(f.c, f.a);
+  Planar plane;
+  plane.at = f.a;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const DoubleDouble &p = e1[(i + 1) % 3], &q = e2[(i + 2) % 3], &r = e1[(i + 2) % 3], &s = e2[(i + 1) % 3];
+    const DoubleDouble first = two_product(p.hi, q.hi), second = two_product(r.hi, s.hi);
+    const DoubleDouble difference = two_sum(first.hi, -second.hi);
+    const double low = (first.lo - second.lo) + ((p.hi * q.lo + p.lo * q.hi) - (r.hi * s.lo + r.lo * s.hi));
+    plane.n[i] = two_sum(difference.hi, difference.lo + low);
+    plane.n_terms[static_cast<int>(i)] = std::fabs(first.hi) + std::fabs(second.hi);
+  }
+  return plane;
+}
+
+Root banded(const FacetPrimitive& f, const Probe& probe, Vec3 n, double t, bool entering) {
+  const double slope = lancer::dot(n, probe.direction);
+  Root root = with_slack(f, probe, n, {t * slope, 0}, {slope, 0}, entering);
+  root.t = t;
+  return root;
+}
+
+Landings careful_landings(const FacetPrimitive& f, const Probe& probe) {
+  Landings found = careful(f, probe.origin, probe.direction);
+  if (found.count == 0) return found;
+  Root& root = found.at[0].root;
+  root = banded(f, probe, accurate_cross(f.b - f.a, f.c - f.a), root.t, root.entering);
+  return found;
 }
 
 }  // namespace
 
 Roots roots(const FacetPrimitive& facet, const Probe& probe) {
-  const Sheared a = shear(facet.a, probe), b = shear(facet.b, probe), c = shear(facet.c, probe);
-  if (surely_missed(a, b, c)) return {};
-  const Edges e{difference_of_products(c.x, b.y, c.y, b.x), difference_of_products(a.x, c.y, a.y, c.x),
-                difference_of_products(b.x, a.y, b.y, a.x)};
-  if (e.outside(true, true, true)) return {};
-  const double determinant = e.u + e.v + e.w;
-  if (determinant == 0) return {};
-  Root root = plane_crossing(facet, probe);
-  if (!std::isfinite(root.t)) return {};
-  root.entering = (determinant > 0) != facet.flipped;
-  return {1, {root, {}}};
+  Verdict verdict = quick_test(facet, probe);
+  if (verdict.hits == Answer::no) return {};
+  if (verdict.hits == Answer::unknown) verdict = long_test(facet, probe);
+  if (verdict.hits == Answer::no) return {};
+  if (verdict.hits == Answer::yes) {
+    const Root root = plane_crossing(facet, probe, (verdict.determinant > 0) != facet.flipped);
+    if (std::fabs(root.t) > root.error) return {1, {root, {}}};
+  }
+  const Landings exactly = careful_landings(facet, probe);
+  return {exactly.count, {exactly.at[0].root, {}}};
+}
+
+Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root) {
+  Landing landing{root, {}, {}};
+  const Probe probe(origin, direction);
+  const Planar plane = plane_of(facet);
+  if (land(plane, origin, direction, root.t, landing)) {
+    landing.root = banded(facet, probe, rounded(plane.n), landing.root.t, root.entering);
+    if (facet.flipped) landing.normal = -landing.normal;
+    return landing;
+  }
+  const Landings exactly = careful_landings(facet, probe);
+  if (exactly.count == 1 && exactly.at[0].root.t > 0) {
+    landing = exactly.at[0];
+    snap(plane, landing.point);
+    return landing;
+  }
+  landing.point = project(facet, origin + direction * root.t);
+  landing.normal = normal(facet);
+  return landing;
 }
 
 Vec3 normal(const FacetPrimitive& facet) {
-  const Vec3 n = normalize(accurate_cross(facet.b - facet.a, facet.c - facet.a));
+  const Vec3 n = unit(plane_of(facet).n);
   return facet.flipped ? -n : n;
 }
 
 Vec3 project(const FacetPrimitive& facet, Vec3 p) {
   const Vec3 n = normal(facet);
-  return p + n * dot(n, facet.a - p);
+  return p + n * lancer::dot(n, facet.a - p);
 }
 
 Barycentric barycentric(const FacetPrimitive& facet, Vec3 p) {
-  const Vec3 n = cross(facet.b - facet.a, facet.c - facet.a);
+  const Vec3 n = lancer::cross(facet.b - facet.a, facet.c - facet.a);
   const Vec3 size = abs(n);
   const int drop = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
   const int i = (drop + 1) % 3, j = (drop + 2) % 3;
@@ -106,8 +186,8 @@ Aabb bounds(const FacetPrimitive& facet) {
 double winding(const FacetPrimitive& facet, Vec3 p) {
   const auto unit = [p](Vec3 corner) { return normalize(corner - p); };
   const Vec3 a = unit(facet.a), b = unit(facet.b), c = unit(facet.c);
-  const double numerator = dot(a, cross(b, c));
-  const double denominator = 1 + dot(a, b) + dot(b, c) + dot(c, a);
+  const double numerator = lancer::dot(a, lancer::cross(b, c));
+  const double denominator = 1 + lancer::dot(a, b) + lancer::dot(b, c) + lancer::dot(c, a);
   const double turns = math::atan2_deg(numerator, denominator) / 360;
   return facet.flipped ? -turns : turns;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "tracer/aabb.hpp"
+#include "tracer/shapes/landing.hpp"
 
 namespace lancer::tracer {
 
@@ -19,9 +20,11 @@ struct Barycentric {
   double a = 0, b = 0, c = 0;
 };
 
-/// The watertight test of Woop, Benthin and Wald (JCGT 2013), with edge functions of exact sign: a ray at an
-/// edge or corner that facets share hits at least one of them.
+/// The test of Woop, Benthin and Wald (Watertight Ray/Triangle Intersection, JCGT 2013), with a bound of what
+/// rounding does to its edge functions, beyond which their signs are found exactly: a ray at an edge or
+/// corner that facets share hits every one of them. A ray in the facet's plane misses.
 Roots roots(const FacetPrimitive& facet, const Probe& probe);
+Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root);
 Vec3 normal(const FacetPrimitive& facet);
 Vec3 project(const FacetPrimitive& facet, Vec3 p);
 /// Of a point on the facet; within [0, 1].

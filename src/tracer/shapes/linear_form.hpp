@@ -11,6 +11,10 @@ struct Bounded {
   double value = 0, error = 0;
 };
 
+inline bool knows_sign(const Bounded& value) {
+  return std::fabs(value.value) > value.error || value.error == 0;
+}
+
 /// depth / slope, with the bounds that follow where the slope may be off by `doubt` more, in the slope's own
 /// units.
 Root crossing(Bounded depth, Bounded slope, double doubt, bool entering);
@@ -36,9 +40,9 @@ inline Bounded bounded_depth(double level, Vec3 n, Vec3 p, Vec3 from) {
   Accurate sum;
   sum.add(level);
   for (int axis = 0; axis < 3; ++axis) {
-    const Double2 exact = two_sum(p[axis], -from[axis]);
-    sum.add_product(-n[axis], exact.high);
-    sum.add_small(-n[axis] * exact.low);
+    const DoubleDouble exact = two_sum(p[axis], -from[axis]);
+    sum.add_product(-n[axis], exact.hi);
+    sum.add_small(-n[axis] * exact.lo);
   }
   return {sum.value(), 2 * k_u * std::fabs(sum.value()) + 32 * k_u * k_u * magnitude};
 }

@@ -14,4 +14,7 @@ inline Vec3 apply_transposed(const Rows& m, Vec3 v) { return m[0] * v.x + m[1] *
 /// |M| |v|, component by component: what rounding errors of M v are multiples of.
 inline Vec3 apply_abs(const Rows& m, Vec3 v) { return apply({abs(m[0]), abs(m[1]), abs(m[2])}, abs(v)); }
 
+/// The inverse, each entry within an ulp as far as the determinant lets twice the precision tell.
+Rows accurate_inverse(const Rows& m);
+
 }  // namespace lancer::tracer

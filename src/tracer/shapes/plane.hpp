@@ -2,7 +2,7 @@
 // Planes: the points x with normal . (x - point) = level. The normal is as written, neither divided by its
 // length nor rounded by that, but for a power of two.
 
-#include "tracer/ray.hpp"
+#include "tracer/shapes/landing.hpp"
 
 namespace lancer::tracer {
 
@@ -15,6 +15,7 @@ struct PlanePrimitive {
 };
 
 Roots roots(const PlanePrimitive& plane, const Probe& probe);
+Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Root& root);
 Vec3 normal(const PlanePrimitive& plane);
 /// The point of the plane next to p.
 Vec3 project(const PlanePrimitive& plane, Vec3 p);

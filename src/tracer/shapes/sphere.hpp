@@ -1,7 +1,8 @@
 #pragma once
-// Spheres in world space, and the quadratic that ellipsoids share with them.
+// Spheres in world space.
 
 #include "tracer/aabb.hpp"
+#include "tracer/shapes/landing.hpp"
 
 namespace lancer::tracer {
 
@@ -11,20 +12,22 @@ struct SpherePrimitive {
   double slack = 0;  // how far rounding may have moved the surface
 };
 
-/// The crossings of the ray f + t d with the sphere of radius r around the origin; d of any length. `low` is
-/// what rounding took from f, `slack` bounds what the surface and f may be off otherwise. The discriminant is
-/// Hearn and Baker's, r^2 - |f - (f.d)d/|d|^2|^2, and the roots are free of cancellation (Haines, Guenther,
-/// Akenine-Moeller, Ray Tracing Gems, chapter 7).
-Roots quadric_roots(Vec3 f, Vec3 low, Vec3 d, double r, double slack);
-
+/// Hearn and Baker's discriminant, r^2 - |f - (f.d)d|^2, which does not lose the radius far away (Haines,
+/// Guenther, Akenine-Moeller, Ray Tracing Gems, chapter 7), with a bound of its error; exact within that.
 Roots roots(const SpherePrimitive& sphere, const Probe& probe);
 /// Where a ray that starts on the sphere and goes inwards leaves it.
 Root exit(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction);
+/// The crossing that `root` is near.
+Landing land(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, const Root& root);
 Vec3 normal(const SpherePrimitive& sphere, Vec3 p);
 /// The point of the sphere next to p.
 Vec3 project(const SpherePrimitive& sphere, Vec3 p);
 Aabb bounds(const SpherePrimitive& sphere);
 /// < 0 inside, 0 exactly on the surface, > 0 outside.
 double side(const SpherePrimitive& sphere, Vec3 p);
+
+/// How far the crossing moves along a ray where the sphere moves by `shift`; `half_chord` is the part of the
+/// radius along the ray: by shift / cosine, but sqrt(2 shift radius) at most.
+double along_ray(double shift, double radius, double half_chord);
 
 }  // namespace lancer::tracer

@@ -1,0 +1,206 @@
+#include "tracer/shapes/careful.hpp"
+
+#include <utility>
+
+#include "tracer/exact.hpp"
+
+namespace lancer::tracer {
+namespace {
+
+using ExactVec = Triple<Exact>;
+using WideVec = Triple<Wide>;
+
+bool is_finite(Vec3 origin, Vec3 direction) {
+  return lancer::is_finite(origin) && lancer::is_finite(direction);
+}
+
+Vec3 unit(const WideVec& v) { return rounded(v * (Wide(1) / sqrt(dot(v, v)))); }
+
+/// o + t d. What is 0 but for the rounding of a quotient is 0.
+WideVec place(const ExactVec& o, const ExactVec& d, const Wide& t) {
+  const auto along = [&](const Exact& from, const Exact& way) {
+    const Wide start = from.wide(), moved = way.wide() * t;
+    const Wide sum = start + moved;
+    return abs(sum) < ldexp(abs(start) + abs(moved), -400) ? Wide(0) : sum;
+  };
+  return {along(o.x, d.x), along(o.y, d.y), along(o.z, d.z)};
+}
+
+Root bare_root(const Wide& distance, bool entering, int face = 0) {
+  Root root = plain_root(distance.convert_to<double>(), 0, entering);
+  root.face = static_cast<std::uint8_t>(face);
+  return root;
+}
+
+/// The roots of a t^2 + 2 b t + c in ascending order, without cancellation; false: none.
+bool solve(const Exact& a, const Exact& b, const Exact& c, Wide& near, Wide& far) {
+  const Exact discriminant = b * b - a * c;
+  if (discriminant.sign() < 0) return false;
+  const Wide half_width = sqrt(discriminant.wide());
+  const Wide q = b.sign() > 0 ? Wide(-(b.wide() + half_width)) : Wide(half_width - b.wide());
+  near = far = 0;
+  if (q == 0) return true;
+  near = q / a.wide();
+  far = c.wide() / q;
+  if (far < near) swap(near, far);
+  return true;
+}
+
+/// The plane n . (x - at) = level.
+struct ExactPlane {
+  ExactVec n;
+  Exact level;
+  ExactVec at;
+
+  Exact depth(const ExactVec& p) const { return level - dot(n, p - at); }
+};
+
+Landings meet(const ExactPlane& plane, Vec3 origin, Vec3 direction, bool flipped) {
+  const ExactVec o = exact(origin), d = exact(direction);
+  const Exact slope = dot(plane.n, d);
+  if (slope.sign() == 0) return {};
+  const bool entering = (slope.sign() < 0) != flipped;
+  const Exact depth = plane.depth(o);
+  if (depth.sign() == 0) return {1, {Landing{plain_root(0, 0, entering), origin, {}}, {}}};
+  const Wide t = depth.wide() / slope.wide();
+  const Vec3 n = unit(wide(plane.n));
+  const Landing landing{bare_root(t, entering), rounded(place(o, d, t)), flipped ? -n : n};
+  return {1, {landing, {}}};
+}
+
+/// A side of a box, as a quotient whose denominator is positive.
+struct Side {
+  Exact depth, slope;
+  int face = 0;
+  friend bool operator<(const Side& a, const Side& b) { return a.depth * b.slope < b.depth * a.slope; }
+};
+
+Vec3 row(const BoxPrimitive& box, int axis) {
+  if (!box.aligned) return box.to_own[static_cast<std::size_t>(axis)];
+  Vec3 n;
+  n[axis] = 1;
+  return n;
+}
+
+ExactVec from_center(const BoxPrimitive& box, Vec3 p) {
+  return box.aligned ? exact(p) : exact(p) - exact(box.center);
+}
+
+/// The part of the ray inside the box; false: none.
+bool clip(const BoxPrimitive& box, const ExactVec& f, const ExactVec& d, Side& enter, Side& leave) {
+  bool any = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const ExactVec n = exact(row(box, axis));
+    const Exact at = dot(n, f), slope = dot(n, d);
+    const Exact to_lo = box.lo[axis] - at, to_hi = box.hi[axis] - at;
+    if (slope.sign() == 0) {
+      if (to_lo.sign() > 0 || to_hi.sign() < 0) return false;
+      continue;
+    }
+    const bool upwards = slope.sign() > 0;
+    const Side in = upwards ? Side{to_lo, slope, 2 * axis} : Side{-to_hi, -slope, 2 * axis + 1};
+    const Side out = upwards ? Side{to_hi, slope, 2 * axis + 1} : Side{-to_lo, -slope, 2 * axis};
+    if (!any || enter < in) enter = in;
+    if (!any || out < leave) leave = out;
+    any = true;
+  }
+  return any && !(leave < enter);
+}
+
+int out_of(const Exact& lo, const Exact& value, const Exact& hi) {
+  return std::max((lo - value).sign(), (value - hi).sign());
+}
+
+}  // namespace
+
+Landings careful(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
+  if (!is_finite(origin, direction)) return {};
+  const ExactVec d = exact(direction), f = exact(origin) - exact(sphere.center);
+  const Exact r = sphere.radius;
+  Wide t[2];
+  if (!solve(dot(d, d), dot(f, d), dot(f, f) - r * r, t[0], t[1])) return {};
+  Landings out{2, {}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const WideVec normal = place(f, d, t[i]) * (Wide(1) / r.wide());
+    out.at[i] = {bare_root(t[i], i == 0), rounded(place(exact(origin), d, t[i])), rounded(normal)};
+  }
+  return out;
+}
+
+Landings careful(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction) {
+  if (!is_finite(origin, direction)) return {};
+  const ExactVec d = exact(direction), offset = exact(origin) - exact(e.center);
+  const ExactVec rows[3] = {exact(e.to_own[0]), exact(e.to_own[1]), exact(e.to_own[2])};
+  const auto own = [&rows](const ExactVec& v) -> ExactVec {
+    return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
+  };
+  const ExactVec g = own(offset), h = own(d);
+  Wide t[2];
+  if (!solve(dot(h, h), dot(g, h), dot(g, g) - Exact(1), t[0], t[1])) return {};
+  Landings out{2, {}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const WideVec w = place(g, h, t[i]);
+    const WideVec normal = wide(rows[0]) * w.x + wide(rows[1]) * w.y + wide(rows[2]) * w.z;
+    out.at[i] = {bare_root(t[i], i == 0), rounded(place(exact(origin), d, t[i])), unit(normal)};
+  }
+  return out;
+}
+
+Landings careful(const PlanePrimitive& plane, Vec3 origin, Vec3 direction) {
+  if (!is_finite(origin, direction)) return {};
+  return meet({exact(plane.normal), plane.level, exact(plane.point)}, origin, direction, false);
+}
+
+Landings careful(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
+  if (!is_finite(origin, direction)) return {};
+  const ExactVec o = exact(origin), d = exact(direction);
+  Side side[2];
+  if (!clip(box, from_center(box, origin), d, side[0], side[1])) return {};
+  Landings out{2, {}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Wide t = side[i].depth.wide() / side[i].slope.wide();
+    const Vec3 normal = unit(wide(exact(row(box, side[i].face / 2))));
+    out.at[i] = {bare_root(t, i == 0, side[i].face), rounded(place(o, d, t)),
+                 side[i].face % 2 == 0 ? -normal : normal};
+  }
+  return out;
+}
+
+Landings careful(const FacetPrimitive& facet, Vec3 origin, Vec3 direction) {
+  if (!is_finite(origin, direction)) return {};
+  const ExactVec o = exact(origin), d = exact(direction);
+  const ExactVec a = exact(facet.a) - o, b = exact(facet.b) - o, c = exact(facet.c) - o;
+  const int u = dot(d, cross(b, c)).sign(), v = dot(d, cross(c, a)).sign(), w = dot(d, cross(a, b)).sign();
+  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return {};
+  return meet({cross(b - a, c - a), 0.0, exact(facet.a)}, origin, direction, facet.flipped);
+}
+
+int careful_side(const SpherePrimitive& sphere, Vec3 p) {
+  const ExactVec f = exact(p) - exact(sphere.center);
+  const Exact r = sphere.radius;
+  return (dot(f, f) - r * r).sign();
+}
+
+int careful_side(const EllipsoidPrimitive& e, Vec3 p) {
+  const ExactVec f = exact(p) - exact(e.center);
+  Exact sum = -1.0;
+  for (const Vec3 row : e.to_own) {
+    const Exact own = dot(exact(row), f);
+    sum = sum + own * own;
+  }
+  return sum.sign();
+}
+
+int careful_side(const PlanePrimitive& plane, Vec3 p) {
+  return -ExactPlane{exact(plane.normal), plane.level, exact(plane.point)}.depth(exact(p)).sign();
+}
+
+int careful_side(const BoxPrimitive& box, Vec3 p) {
+  const ExactVec f = from_center(box, p);
+  int out = -1;
+  for (int axis = 0; axis < 3; ++axis)
+    out = std::max(out, out_of(box.lo[axis], dot(exact(row(box, axis)), f), box.hi[axis]));
+  return out;
+}
+
+}  // namespace lancer::tracer
