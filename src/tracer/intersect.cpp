@@ -6,12 +6,15 @@
 namespace lancer::tracer {
 namespace {
 
-/// A surface that may be the first: the true distance is somewhere within its bounds.
+constexpr double k_infinity = std::numeric_limits<double>::infinity();
+constexpr Interval k_anywhere{0, k_infinity};
+
+/// A surface that may be the first.
 struct Candidate {
   std::uint32_t primitive = 0;
   Root root;
-  Interval own;  // where the primitive's bounds are
-  double at_least = 0;
+  Interval own;         // where the primitive's bounds are
+  double earliest = 0;  // the true distance is no less
 };
 
 /// Those that may be the first of all seen so far. Which ones those are does not depend on the order in which
@@ -21,19 +24,24 @@ class Candidates {
   /// No surface beyond this distance can be the first.
   const double& limit() const { return limit_; }
 
-  void add(std::uint32_t primitive, const Root& root, const Interval& own) {
-    const double at_least = std::fmax(root.low, own.enter);
-    const double at_most = std::fmax(root.high, own.enter);
-    if (at_least > limit_) return;
-    limit_ = std::fmin(limit_, at_most);
+  /// The crossing is within [low, high], as far as those are within the primitive's own bounds.
+  void add(std::uint32_t primitive, const Root& root, const Interval& own, double low, double high) {
+    const double earliest = std::fmax(low, own.enter);
+    const double latest = std::fmax(std::fmin(high, own.leave), own.enter);
+    if (earliest > limit_) return;
+    limit_ = std::fmin(limit_, latest);
     if (list_.size() >= k_tidy) tidy();
-    list_.push_back({primitive, root, own, at_least});
+    list_.push_back({primitive, root, own, earliest});
+  }
+  void add(std::uint32_t primitive, const Root& root, const Interval& own) {
+    const double error = root.loose ? k_infinity : root.error;
+    add(primitive, root, own, root.t - error, root.t + error);
   }
 
   void tidy() {
     std::size_t kept = 0;
     for (const Candidate& candidate : list_) {
-      if (candidate.at_least <= limit_) list_[kept++] = candidate;
+      if (candidate.earliest <= limit_) list_[kept++] = candidate;
     }
     list_.shrink(kept);
   }
@@ -46,10 +54,8 @@ class Candidates {
  private:
   static constexpr std::size_t k_tidy = 6;
   SmallList<Candidate, 8> list_;
-  double limit_ = std::numeric_limits<double>::infinity();
+  double limit_ = k_infinity;
 };
-
-constexpr Interval k_anywhere{0, std::numeric_limits<double>::infinity()};
 
 Candidates search(const World& world, const Ray& ray, Stats& stats) {
   Candidates candidates;
@@ -67,10 +73,10 @@ Candidates search(const World& world, const Ray& ray, Stats& stats) {
     const Roots found = roots(world, primitive, probe);
     for (int i = 0; i < found.count; ++i) {
       if (!(found.root[i].t > 0)) continue;
-      if (found.root[i].low > candidates.limit()) break;
+      const Root& root = found.root[i];
+      if (!root.loose && root.t - root.error > candidates.limit()) break;
       const Interval own = own_interval(world, primitive, probe);
       if (!(own.enter <= own.leave)) break;
-      const Root root = within(found.root[i], own);
       if (is_echo(world, ray, primitive, root)) continue;
       candidates.add(primitive, root, own);
       break;
@@ -89,7 +95,7 @@ Candidates settled(const World& world, const Ray& ray, const Candidates& quick) 
   Candidates candidates;
   for (const Candidate& c : quick) {
     const Landing landing = land(world, c.primitive, ray.origin, ray.direction, c.root);
-    candidates.add(c.primitive, within(landing.root, c.own), c.own);
+    candidates.add(c.primitive, landing.root, c.own, landing.low, landing.high);
   }
   candidates.tidy();
   return candidates;
@@ -211,8 +217,7 @@ bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
   if (const Contact* const contact = met_at_start(world, ray)) {
     hit.primitive = contact->primitive;
     hit.shape = contact->shape;
-    hit.root = plain_root(0, ray.origin_error, !contact->inside);
-    hit.root.face = contact->face;
+    hit.root = {0, ray.origin_error, !contact->inside, false, contact->face};
     hit.point = ray.origin;
     hit.point_error = ray.origin_error;
     hit.normal = contact->normal;
@@ -236,7 +241,7 @@ bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
     hit.point = project(world, hit.primitive, ray.origin + ray.direction * hit.root.t, hit.root.face);
     hit.normal = normal(world, hit.primitive, hit.point, hit.root.face);
   }
-  const double since = hit.root.t - std::fmax(hit.root.low, 0);
+  const double since = hit.root.t - std::fmax(std::fmax(landing.low, first.own.enter), 0);
   hit.root.error = std::fmin(hit.root.error, std::fmax(since, candidates.limit() - hit.root.t));
   hit.point_error = hit.root.error + 4 * k_u * max_abs(hit.point);
   collect_contacts(world, ray, candidates, hit);

@@ -76,8 +76,6 @@ inline Interval own_interval(const World& world, std::uint32_t primitive, const 
 inline Root within(Root root, const Interval& own) {
   const double enter = own.enter * (1 - 2 * gamma(3));  // as in interval(), for the near side
   if (root.t < enter || root.t > own.leave) root.t = root.t < enter ? enter : own.leave;
-  root.low = std::fmax(root.low, enter);
-  root.high = std::fmin(root.high, own.leave);
   root.error = std::fmin(root.error, own.leave - enter);
   return root;
 }
@@ -93,8 +91,7 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
     if (start == AtStart::nothing) continue;
     const bool enters = start == AtStart::meets && !contact.inside;
     if (start == AtStart::meets) {
-      Root root = plain_root(0, ray.origin_error, enters);
-      root.face = contact.face;
+      const Root root{0, ray.origin_error, enters, false, contact.face};
       const bool counts = root.error < distance;
       if (counts && visit(Crossing{contact.primitive, contact.shape, root})) return true;
     }

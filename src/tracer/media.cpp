@@ -8,8 +8,9 @@ namespace lancer::tracer {
 namespace {
 
 /// Where the ray first leaves the shape; infinite where it never does.
-Root way_out(const World& world, std::uint32_t shape, const Probe& probe, Stats& stats) {
-  Root nearest = plain_root(std::numeric_limits<double>::infinity(), 0, false);
+Landing way_out(const World& world, std::uint32_t shape, const Probe& probe, Stats& stats) {
+  constexpr double k_infinity = std::numeric_limits<double>::infinity();
+  Root nearest{k_infinity, 0, false};
   std::uint32_t through = world.first_primitive[shape];
   const auto test = [&](std::uint32_t primitive) {
     ++stats.shape_tests;
@@ -23,8 +24,8 @@ Root way_out(const World& world, std::uint32_t shape, const Probe& probe, Stats&
   };
   const std::uint32_t first = world.first_primitive[shape], last = world.first_primitive[shape + 1];
   const auto exactly = [&] {
-    return std::isinf(nearest.t) ? nearest
-                                 : land(world, through, probe.origin, probe.direction, nearest).root;
+    return std::isinf(nearest.t) ? Landing{nearest, k_infinity, k_infinity, {}, {}}
+                                 : land(world, through, probe.origin, probe.direction, nearest);
   };
   if (last - first == 1) {
     test(first);
@@ -82,7 +83,7 @@ OpenSolids open_at(const World& world, const std::vector<Surrounding>& around, V
                    Stats& stats) {
   struct Way {
     std::uint32_t shape;
-    Root out;
+    Landing out;
   };
   OpenSolids open;
   if (around.empty()) return open;
@@ -90,9 +91,9 @@ OpenSolids open_at(const World& world, const std::vector<Surrounding>& around, V
   std::vector<Way> ways;
   for (const Surrounding& solid : around) {
     if (solid.touched && !goes_in(world, solid.shape, probe)) continue;
-    ways.push_back({solid.shape, around.size() == 1 ? Root{} : way_out(world, solid.shape, probe, stats)});
+    ways.push_back({solid.shape, around.size() == 1 ? Landing{} : way_out(world, solid.shape, probe, stats)});
   }
-  std::sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.out.t > b.out.t; });
+  std::sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.out.root.t > b.out.root.t; });
   // Coincident surfaces differ by no more than rounding, which must not decide.
   for (auto first = ways.begin(); first != ways.end();) {
     auto last = first + 1;

@@ -68,8 +68,8 @@ void add_plane(World& world, std::uint32_t shape, const scene::Plane& plane, con
   level = std::scalbn(level, -exponent);
   const double slack = image_error(map, plane.point) + 4 * k_u * std::fabs(level) / length(n);
   append(world, world.planes,
-         PlanePrimitive{map.point(plane.point), n, level, slack, (placed ? 16 : 2) * k_u}, Kind::plane,
-         shape);
+         PlanePrimitive{map.point(plane.point), n, level, unit(n), slack, (placed ? 16 : 2) * k_u},
+         Kind::plane, shape);
 }
 
 void add_box(World& world, std::uint32_t shape, const scene::Box& box, const Transform& transform) {
@@ -95,6 +95,7 @@ void add_box(World& world, std::uint32_t shape, const scene::Box& box, const Tra
       out.to_world[i] = {row.x * half.x, row.y * half.y, row.z * half.z};
     }
     out.to_own = accurate_inverse(out.to_world);
+    for (std::size_t i = 0; i < 3; ++i) out.normals[i] = unit(out.to_own[i]);
   }
   append(world, world.boxes, out, Kind::box, shape);
 }
@@ -109,6 +110,7 @@ void add_facet(World& world, std::uint32_t shape, const std::array<Vec3, 3>& cor
   facet.face = face;
   for (const Vec3 corner : corners) facet.slack = std::fmax(facet.slack, image_error(map, corner));
   if (max_abs(accurate_cross(facet.b - facet.a, facet.c - facet.a)) > 0) {
+    facet.normal = normal_of_corners(facet);
     append(world, world.facets, facet, Kind::facet, shape);
   }
 }

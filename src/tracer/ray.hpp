@@ -62,24 +62,10 @@ struct Probe {
 struct Root {
   double t = 0;      // along the ray; may be negative
   double error = 0;  // how far, at most, t is off for rounding and for the slack of the surface
-  // The true crossing lies within [low, high], whatever the rounding of the shape's own numbers did to its
-  // slope too. For a ray that all but lies in a surface this is far wider than the error.
-  double low = 0, high = 0;
   bool entering = true;
+  bool loose = false;     // the ray all but lies in the surface, whose slack may put the crossing anywhere
   std::uint8_t face = 0;  // of a box: 2 axis, + 1 for the upper side
-
-  /// The distance may be off by `more`.
-  void widen(double more) {
-    error += more;
-    low -= more;
-    high += more;
-  }
 };
-
-/// A root whose slope is not in doubt.
-inline Root plain_root(double t, double error, bool entering) {
-  return {t, error, t - error, t + error, entering, 0};
-}
 
 /// None, one or two crossings in ascending order of t.
 struct Roots {

@@ -46,7 +46,7 @@ Side side_crossing(const BoxPrimitive& box, const Local& ray, int axis, bool upp
 
 enum class Answer : std::uint8_t { no, yes, unknown };
 
-/// The part of a ray inside the box, by its sides, and what is known of it.
+/// The part of a ray inside the box, by its sides, and what is known of it. Bounds are those of each side.
 class Clip {
  public:
   Clip(const BoxPrimitive& box, const Local& ray) : box_(box), ray_(ray) {
@@ -106,29 +106,31 @@ class Clip {
 
 bool knows_sign(const Side& side) { return side.error == 0 || std::fabs(side.t) > side.error; }
 
-/// With the bounds that follow from the rounding of the box and of its way into the world.
-Root banded(const BoxPrimitive& box, double t, bool entering, int face, Vec3 direction) {
-  const Vec3 n = row(box, face / 2);
-  const double slope = dot(n, direction);
-  const double doubt = box.aligned ? 0 : 8 * k_u * dot(abs(n), abs(direction));
-  Root root = crossing({t * slope, sum_abs(n) * box.slack}, {slope, 0}, doubt, entering);
-  root.t = t;
-  root.face = static_cast<std::uint8_t>(face);
-  return root;
+/// How far a side may be off in the frame of the test, and the slope of a ray across it, for the rounding of
+/// the box and of its way into the world.
+double depth_slack(const BoxPrimitive& box, int face) {
+  return box.aligned ? box.slack : sum_abs(row(box, face / 2)) * box.slack;
+}
+double slope_slack(const BoxPrimitive& box, int face, Vec3 direction) {
+  return box.aligned ? 0 : 8 * k_u * dot(abs(row(box, face / 2)), abs(direction));
 }
 
-Root banded(const BoxPrimitive& box, const Side& side, bool entering, Vec3 direction) {
-  Root root = banded(box, side.t, entering, side.face, direction);
-  root.widen(side.error);
-  return root;
+void set_slack(const BoxPrimitive& box, Vec3 direction, Landing& landing) {
+  const int face = landing.root.face;
+  spread(depth_slack(box, face), dot(row(box, face / 2), direction), slope_slack(box, face, direction),
+         landing);
+}
+
+Root root_at(const BoxPrimitive& box, const Side& side, bool entering, const Local& ray, Vec3 direction) {
+  const double steep = 1 / std::fabs(ray.direction[side.face / 2]);
+  const double doubt = slope_slack(box, side.face, direction);
+  const double slack = (depth_slack(box, side.face) + 2 * doubt * std::fabs(side.t)) * steep;
+  return {side.t, side.error + slack, entering, doubt * steep > 0.5, static_cast<std::uint8_t>(side.face)};
 }
 
 Landings careful_landings(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
   Landings found = careful(box, origin, direction);
-  for (int i = 0; i < found.count; ++i) {
-    Root& root = found.at[static_cast<std::size_t>(i)].root;
-    root = banded(box, root.t, root.entering, root.face, direction);
-  }
+  for (Landing& landing : found.at) set_slack(box, direction, landing);
   return found;
 }
 
@@ -142,19 +144,62 @@ Planar plane_of(const BoxPrimitive& box, int face) {
   return planar(row(box, axis), 0, at);
 }
 
+LANCER_FUSED bool land_fused(const BoxPrimitive& box, Vec3 origin, Vec3 direction, Landing& landing) {
+  return land_by<Fused>(plane_of(box, landing.root.face), origin, direction, landing);
+}
+bool land_split(const BoxPrimitive& box, Vec3 origin, Vec3 direction, Landing& landing) {
+  return land_by<Split>(plane_of(box, landing.root.face), origin, direction, landing);
+}
+
+/// Where no direction is in doubt and no two sides are near each other on the ray, which is nearly always.
+Answer quick_test(const BoxPrimitive& box, const Local& ray, Side& enter, Side& leave) {
+  double in[3], out[3], doubt[3];
+  int first = 0, last = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = ray.direction[axis];
+    if (std::fabs(d) <= 4 * ray.direction_error[axis]) return Answer::unknown;
+    const double inverse = 1 / d;
+    const double lower = (box.lo[axis] - ray.origin[axis]) * inverse;
+    const double upper = (box.hi[axis] - ray.origin[axis]) * inverse;
+    in[axis] = std::min(lower, upper);
+    out[axis] = std::max(lower, upper);
+    const double t = std::max(std::fabs(lower), std::fabs(upper));
+    doubt[axis] = (ray.origin_error[axis] + t * ray.direction_error[axis]) * std::fabs(inverse) * (4.0 / 3) +
+                  4 * k_u * t;
+    if (in[axis] > in[first]) first = axis;
+    if (out[axis] < out[last]) last = axis;
+  }
+  if (in[first] - doubt[first] > out[last] + doubt[last]) return Answer::no;
+  if (!(in[first] + doubt[first] < out[last] - doubt[last])) return Answer::unknown;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis != first && !(in[axis] + doubt[axis] < in[first] - doubt[first])) return Answer::unknown;
+    if (axis != last && !(out[axis] - doubt[axis] > out[last] + doubt[last])) return Answer::unknown;
+  }
+  enter = {in[first], doubt[first], 2 * first + (ray.direction[first] < 0 ? 1 : 0)};
+  leave = {out[last], doubt[last], 2 * last + (ray.direction[last] > 0 ? 1 : 0)};
+  return Answer::yes;
+}
+
 }  // namespace
 
 Roots roots(const BoxPrimitive& box, const Probe& probe) {
   const Local ray = to_frame(box, probe.origin, probe.direction);
-  const Clip clip(box, ray);
-  const Answer hits = clip.hits();
+  Side in, out;
+  Answer hits = quick_test(box, ray, in, out);
   if (hits == Answer::no) return {};
-  const Side &in = clip.enter(), &out = clip.leave();
-  if (hits == Answer::yes && clip.knows_faces() && knows_sign(in) && knows_sign(out)) {
-    return {2, {banded(box, in, true, probe.direction), banded(box, out, false, probe.direction)}};
+  if (hits == Answer::unknown) {
+    const Clip clip(box, ray);
+    hits = clip.hits();
+    if (hits == Answer::no) return {};
+    in = clip.enter();
+    out = clip.leave();
+    if (!clip.knows_faces()) hits = Answer::unknown;
   }
-  const Landings exactly = careful_landings(box, probe.origin, probe.direction);
-  return {exactly.count, {exactly.at[0].root, exactly.at[1].root}};
+  if (hits == Answer::yes && knows_sign(in) && knows_sign(out)) {
+    return {2,
+            {root_at(box, in, true, ray, probe.direction), root_at(box, out, false, ray, probe.direction)}};
+  }
+  return careful_landings(box, probe.origin, probe.direction).roots();
 }
 
 Root exit(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
@@ -164,34 +209,35 @@ Root exit(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
     const Landings exactly = careful_landings(box, origin, direction);
     if (exactly.count == 2 && exactly.at[1].root.t > 0) return exactly.at[1].root;
   }
-  Root leave = banded(box, clip.leave(), false, direction);
+  Root leave = root_at(box, clip.leave(), false, ray, direction);
   leave.t = std::fmax(leave.t, 0);
-  leave.high = std::fmax(leave.high, leave.t);
   return leave;
 }
 
 Landing land(const BoxPrimitive& box, Vec3 origin, Vec3 direction, const Root& root) {
-  const double sign = root.face % 2 == 0 ? -1 : 1;
-  Landing landing{root, {}, {}};
-  if (land(plane_of(box, root.face), origin, direction, root.t, landing) && landing.root.t > 0) {
-    landing.root = banded(box, landing.root.t, root.entering, root.face, direction);
-    landing.normal = landing.normal * sign;
+  Landing landing{root, 0, 0, {}, normal(box, root.face)};
+  const bool settled =
+      k_has_fused ? land_fused(box, origin, direction, landing) : land_split(box, origin, direction, landing);
+  if (settled && landing.root.t > 0) {
+    set_slack(box, direction, landing);
     return landing;
   }
   const Landings exactly = careful_landings(box, origin, direction);
-  landing = exactly.at[root.entering ? 0 : 1];
-  if (exactly.count == 2 && landing.root.t > 0) {
+  const Landing& found = exactly.at[root.entering ? 0 : 1];
+  if (exactly.count == 2 && found.root.t > 0) {
+    landing = found;
     snap(plane_of(box, landing.root.face), landing.point);
     return landing;
   }
   landing.root = root;
+  set_slack(box, direction, landing);
   landing.point = project(box, origin + direction * root.t, root.face);
-  landing.normal = normal(box, root.face);
   return landing;
 }
 
 Vec3 normal(const BoxPrimitive& box, int face) {
-  return unit(plane_of(box, face).n) * (face % 2 == 0 ? -1.0 : 1.0);
+  const Vec3 upper = box.aligned ? row(box, face / 2) : box.normals[static_cast<std::size_t>(face / 2)];
+  return face % 2 == 0 ? -upper : upper;
 }
 
 Vec3 project(const BoxPrimitive& box, Vec3 p, int face) {

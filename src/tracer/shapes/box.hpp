@@ -15,6 +15,7 @@ struct BoxPrimitive {
   Vec3 center;
   Rows to_own{};     // offsets from the centre to the cube's space
   Rows to_world{};   // and back
+  Rows normals{};    // of the upper sides, unit length
   double slack = 0;  // how far rounding may have moved the surface, in world units
 };
 

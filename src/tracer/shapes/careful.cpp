@@ -27,9 +27,7 @@ WideVec place(const ExactVec& o, const ExactVec& d, const Wide& t) {
 }
 
 Root bare_root(const Wide& distance, bool entering, int face = 0) {
-  Root root = plain_root(distance.convert_to<double>(), 0, entering);
-  root.face = static_cast<std::uint8_t>(face);
-  return root;
+  return {distance.convert_to<double>(), 0, entering, false, static_cast<std::uint8_t>(face)};
 }
 
 /// The roots of a t^2 + 2 b t + c in ascending order, without cancellation; false: none.
@@ -61,10 +59,10 @@ Landings meet(const ExactPlane& plane, Vec3 origin, Vec3 direction, bool flipped
   if (slope.sign() == 0) return {};
   const bool entering = (slope.sign() < 0) != flipped;
   const Exact depth = plane.depth(o);
-  if (depth.sign() == 0) return {1, {Landing{plain_root(0, 0, entering), origin, {}}, {}}};
+  if (depth.sign() == 0) return {1, {Landing{Root{0, 0, entering}, 0, 0, origin, {}}, {}}};
   const Wide t = depth.wide() / slope.wide();
   const Vec3 n = unit(wide(plane.n));
-  const Landing landing{bare_root(t, entering), rounded(place(o, d, t)), flipped ? -n : n};
+  const Landing landing{bare_root(t, entering), 0, 0, rounded(place(o, d, t)), flipped ? -n : n};
   return {1, {landing, {}}};
 }
 
@@ -122,7 +120,7 @@ Landings careful(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
   Landings out{2, {}};
   for (std::size_t i = 0; i < 2; ++i) {
     const WideVec normal = place(f, d, t[i]) * (Wide(1) / r.wide());
-    out.at[i] = {bare_root(t[i], i == 0), rounded(place(exact(origin), d, t[i])), rounded(normal)};
+    out.at[i] = {bare_root(t[i], i == 0), 0, 0, rounded(place(exact(origin), d, t[i])), rounded(normal)};
   }
   return out;
 }
@@ -141,7 +139,7 @@ Landings careful(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction) {
   for (std::size_t i = 0; i < 2; ++i) {
     const WideVec w = place(g, h, t[i]);
     const WideVec normal = wide(rows[0]) * w.x + wide(rows[1]) * w.y + wide(rows[2]) * w.z;
-    out.at[i] = {bare_root(t[i], i == 0), rounded(place(exact(origin), d, t[i])), unit(normal)};
+    out.at[i] = {bare_root(t[i], i == 0), 0, 0, rounded(place(exact(origin), d, t[i])), unit(normal)};
   }
   return out;
 }
@@ -160,7 +158,7 @@ Landings careful(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
   for (std::size_t i = 0; i < 2; ++i) {
     const Wide t = side[i].depth.wide() / side[i].slope.wide();
     const Vec3 normal = unit(wide(exact(row(box, side[i].face / 2))));
-    out.at[i] = {bare_root(t, i == 0, side[i].face), rounded(place(o, d, t)),
+    out.at[i] = {bare_root(t, i == 0, side[i].face), 0, 0, rounded(place(o, d, t)),
                  side[i].face % 2 == 0 ? -normal : normal};
   }
   return out;

@@ -63,35 +63,38 @@ Verdict long_test(const FacetPrimitive& f, const Probe& probe) {
   return {same_side(u, v, w, 256 * k_u * k_u * size * size), u + v + w};
 }
 
-Root with_slack(const FacetPrimitive& f, const Probe& probe, Vec3 n, Bounded depth, const Bounded& slope,
-                bool entering) {
-  const double size = sum_abs(n);
-  depth.error += size * (f.slack + 3 * k_u * sum_abs(probe.origin - f.a));
-  return crossing(depth, slope, size * 3 * k_u, entering);
+/// How far the plane may be off where the ray starts, and its slope, for the rounding of the corners.
+double depth_slack(const FacetPrimitive& f, Vec3 origin) {
+  return 2 * (f.slack + 3 * k_u * sum_abs(origin - f.a));
 }
+constexpr double k_slope_slack = 6 * k_u;
 
 /// Where the ray meets the facet's plane, in plain arithmetic.
 Root plane_crossing(const FacetPrimitive& f, const Probe& probe, bool entering) {
-  const Vec3 e1 = f.b - f.a, e2 = f.c - f.a, w = f.a - probe.origin;
-  const Vec3 n = lancer::cross(e1, e2);
-  const double n_error = 4 * k_u * sum_abs(e1) * sum_abs(e2);
-  const Vec3 depth_terms{n.x * w.x, n.y * w.y, n.z * w.z};
-  const Vec3 slope_terms{n.x * probe.direction.x, n.y * probe.direction.y, n.z * probe.direction.z};
-  const Bounded depth{depth_terms.x + depth_terms.y + depth_terms.z,
-                      4 * k_u * sum_abs(depth_terms) + n_error * sum_abs(w)};
-  const Bounded slope{slope_terms.x + slope_terms.y + slope_terms.z,
-                      3 * k_u * sum_abs(slope_terms) + n_error};
-  return with_slack(f, probe, n, depth, slope, entering);
+  const Vec3 n = f.normal, w = f.a - probe.origin;
+  const double depth = lancer::dot(n, w), slope = lancer::dot(n, probe.direction);
+  return crossing({depth, 8 * k_u * sum_abs(w) + depth_slack(f, probe.origin)},
+                  {slope, 8 * k_u + k_slope_slack}, entering);
 }
 
-/// The facet's plane, with the normal (b-a) x (c-a) in twice the precision.
-Planar plane_of(const FacetPrimitive& f) {
+void set_slack(const FacetPrimitive& f, Vec3 origin, Vec3 direction, Landing& landing) {
+  spread(depth_slack(f, origin), lancer::dot(f.normal, direction), k_slope_slack, landing);
+}
+
+Landings careful_landings(const FacetPrimitive& f, Vec3 origin, Vec3 direction) {
+  Landings found = careful(f, origin, direction);
+  set_slack(f, origin, direction, found.at[0]);
+  return found;
+}
+
+template <class P>
+LANCER_INLINE Planar plane_by(const FacetPrimitive& f) {
   const Triple2 e1 = exact_difference(f.b, f.a), e2 = exact_difference(f.c, f.a);
   Planar plane;
   plane.at = f.a;
   for (std::size_t i = 0; i < 3; ++i) {
     const DoubleDouble &p = e1[(i + 1) % 3], &q = e2[(i + 2) % 3], &r = e1[(i + 2) % 3], &s = e2[(i + 1) % 3];
-    const DoubleDouble first = two_product(p.hi, q.hi), second = two_product(r.hi, s.hi);
+    const DoubleDouble first = P::product(p.hi, q.hi), second = P::product(r.hi, s.hi);
     const DoubleDouble difference = two_sum(first.hi, -second.hi);
     const double low = (first.lo - second.lo) + ((p.hi * q.lo + p.lo * q.hi) - (r.hi * s.lo + r.lo * s.hi));
     plane.n[i] = two_sum(difference.hi, difference.lo + low);
@@ -100,19 +103,14 @@ Planar plane_of(const FacetPrimitive& f) {
   return plane;
 }
 
-Root banded(const FacetPrimitive& f, const Probe& probe, Vec3 n, double t, bool entering) {
-  const double slope = lancer::dot(n, probe.direction);
-  Root root = with_slack(f, probe, n, {t * slope, 0}, {slope, 0}, entering);
-  root.t = t;
-  return root;
-}
+/// The facet's plane, with the normal (b-a) x (c-a) in twice the precision.
+Planar plane_of(const FacetPrimitive& f) { return plane_by<Split>(f); }
 
-Landings careful_landings(const FacetPrimitive& f, const Probe& probe) {
-  Landings found = careful(f, probe.origin, probe.direction);
-  if (found.count == 0) return found;
-  Root& root = found.at[0].root;
-  root = banded(f, probe, accurate_cross(f.b - f.a, f.c - f.a), root.t, root.entering);
-  return found;
+LANCER_FUSED bool land_fused(const FacetPrimitive& f, Vec3 origin, Vec3 direction, Landing& landing) {
+  return land_by<Fused>(plane_by<Fused>(f), origin, direction, landing);
+}
+bool land_split(const FacetPrimitive& f, Vec3 origin, Vec3 direction, Landing& landing) {
+  return land_by<Split>(plane_by<Split>(f), origin, direction, landing);
 }
 
 }  // namespace
@@ -126,38 +124,35 @@ Roots roots(const FacetPrimitive& facet, const Probe& probe) {
     const Root root = plane_crossing(facet, probe, (verdict.determinant > 0) != facet.flipped);
     if (std::fabs(root.t) > root.error) return {1, {root, {}}};
   }
-  const Landings exactly = careful_landings(facet, probe);
-  return {exactly.count, {exactly.at[0].root, {}}};
+  return careful_landings(facet, probe.origin, probe.direction).roots();
 }
 
 Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, {}, {}};
-  const Probe probe(origin, direction);
-  const Planar plane = plane_of(facet);
-  if (land(plane, origin, direction, root.t, landing)) {
-    landing.root = banded(facet, probe, rounded(plane.n), landing.root.t, root.entering);
-    if (facet.flipped) landing.normal = -landing.normal;
+  Landing landing{root, 0, 0, {}, facet.normal};
+  if (k_has_fused ? land_fused(facet, origin, direction, landing)
+                  : land_split(facet, origin, direction, landing)) {
+    set_slack(facet, origin, direction, landing);
     return landing;
   }
-  const Landings exactly = careful_landings(facet, probe);
+  const Landings exactly = careful_landings(facet, origin, direction);
   if (exactly.count == 1 && exactly.at[0].root.t > 0) {
     landing = exactly.at[0];
-    snap(plane, landing.point);
+    snap(plane_of(facet), landing.point);
     return landing;
   }
+  landing.root = root;
+  set_slack(facet, origin, direction, landing);
   landing.point = project(facet, origin + direction * root.t);
-  landing.normal = normal(facet);
   return landing;
 }
 
-Vec3 normal(const FacetPrimitive& facet) {
+Vec3 normal_of_corners(const FacetPrimitive& facet) {
   const Vec3 n = unit(plane_of(facet).n);
   return facet.flipped ? -n : n;
 }
 
 Vec3 project(const FacetPrimitive& facet, Vec3 p) {
-  const Vec3 n = normal(facet);
-  return p + n * lancer::dot(n, facet.a - p);
+  return p + facet.normal * lancer::dot(facet.normal, facet.a - p);
 }
 
 Barycentric barycentric(const FacetPrimitive& facet, Vec3 p) {

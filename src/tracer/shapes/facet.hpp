@@ -10,6 +10,7 @@ namespace lancer::tracer {
 
 struct FacetPrimitive {
   Vec3 a, b, c;            // in the world
+  Vec3 normal;             // outward, unit length
   bool flipped = false;    // a mirroring transform: the outward normal is (c-a) x (b-a)
   std::uint32_t face = 0;  // of a mesh: which
   double slack = 0;        // how far rounding may have moved the surface
@@ -25,7 +26,9 @@ struct Barycentric {
 /// corner that facets share hits every one of them. A ray in the facet's plane misses.
 Roots roots(const FacetPrimitive& facet, const Probe& probe);
 Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root);
-Vec3 normal(const FacetPrimitive& facet);
+inline Vec3 normal(const FacetPrimitive& facet) { return facet.normal; }
+/// The outward unit normal of the corners, to the last bit.
+Vec3 normal_of_corners(const FacetPrimitive& facet);
 Vec3 project(const FacetPrimitive& facet, Vec3 p);
 /// Of a point on the facet; within [0, 1].
 Barycentric barycentric(const FacetPrimitive& facet, Vec3 p);

@@ -5,19 +5,19 @@
 
 namespace lancer::tracer {
 
-Root crossing(Bounded depth, Bounded slope, double doubt, bool entering) {
-  const double t = depth.value / slope.value;
-  const double steep = std::fabs(slope.value);
-  const double error = (depth.error + std::fabs(t) * slope.error) / steep + 2 * k_u * std::fabs(t);
-  const double least = steep + slope.error + doubt;
-  const double most = steep - slope.error - doubt;
-  if (!(most > 0)) {
+void spread(double depth_slack, double slope, double slope_slack, Landing& landing) {
+  const double t = landing.root.t;
+  const double steep = std::fabs(slope);
+  landing.spread(depth_slack / steep + 2 * k_u * std::fabs(t));
+  const double least = steep + slope_slack, most = steep - slope_slack;
+  if (most > 0) {
+    landing.low -= std::fabs(t) * (slope_slack / least);
+    landing.high += std::fabs(t) * (slope_slack / most);
+  } else {
     // The ray may be parallel to the surface: all that is known is where it cannot yet have come near it.
-    const double low = std::max(0.0, std::fabs(depth.value) - depth.error) / least;
-    return {t, error, std::min(low, t - error), std::numeric_limits<double>::infinity(), entering, 0};
+    landing.low = std::min(std::max(0.0, std::fabs(t) * steep - depth_slack) / least, landing.low);
+    landing.high = std::numeric_limits<double>::infinity();
   }
-  const double nearest = t - error - std::fabs(t) * (doubt / least);
-  return {t, error, nearest, t + error + std::fabs(t) * (doubt / most), entering, 0};
 }
 
 }  // namespace lancer::tracer

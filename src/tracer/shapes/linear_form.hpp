@@ -3,7 +3,7 @@
 // terms cancel.
 
 #include "tracer/numeric.hpp"
-#include "tracer/ray.hpp"
+#include "tracer/shapes/landing.hpp"
 
 namespace lancer::tracer {
 
@@ -15,9 +15,18 @@ inline bool knows_sign(const Bounded& value) {
   return std::fabs(value.value) > value.error || value.error == 0;
 }
 
-/// depth / slope, with the bounds that follow where the slope may be off by `doubt` more, in the slope's own
-/// units.
-Root crossing(Bounded depth, Bounded slope, double doubt, bool entering);
+/// depth / slope.
+inline Root crossing(Bounded depth, Bounded slope, bool entering) {
+  const double inverse = 1 / slope.value;
+  const double t = depth.value * inverse;
+  const double steep = std::fabs(inverse);
+  const double error = (depth.error + 2 * std::fabs(t) * slope.error) * steep + 4 * k_u * std::fabs(t);
+  return {t, error, entering, slope.error * steep > 0.5};
+}
+
+/// The bounds of a landing on a plane that may be off by `depth_slack` where the ray starts, and whose slope
+/// may be off by `slope_slack`.
+void spread(double depth_slack, double slope, double slope_slack, Landing& landing);
 
 /// n . d.
 inline Bounded bounded_dot(Vec3 n, Vec3 d) {

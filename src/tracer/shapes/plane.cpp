@@ -11,30 +11,29 @@ Bounded depth_below(const PlanePrimitive& plane, Vec3 p) {
   return bounded_depth(plane.level, plane.normal, p, plane.point);
 }
 
-Planar plane_of(const PlanePrimitive& plane) { return planar(plane.normal, plane.level, plane.point); }
-
-/// With the bounds that follow where the plane as written is off by its slack and its normal's error.
-Root with_slack(const PlanePrimitive& plane, const Probe& probe, Bounded depth, const Bounded& slope) {
-  const double size = sum_abs(plane.normal);
-  depth.error += size * (plane.slack + plane.normal_error * sum_abs(probe.origin - plane.point));
-  return crossing(depth, slope, size * plane.normal_error, slope.value < 0);
+/// How far the plane may be off where the ray starts, and its slope, in units of the normal's length.
+double depth_slack(const PlanePrimitive& plane, Vec3 origin) {
+  return sum_abs(plane.normal) * (plane.slack + plane.normal_error * sum_abs(origin - plane.point));
 }
+double slope_slack(const PlanePrimitive& plane) { return sum_abs(plane.normal) * plane.normal_error; }
 
-Root banded(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, double t) {
-  const double slope = dot(plane.normal, direction);
-  Root root = with_slack(plane, Probe(origin, direction), {t * slope, 0}, {slope, 0});
-  root.t = t;
-  return root;
+void set_slack(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Landing& landing) {
+  spread(depth_slack(plane, origin), dot(plane.normal, direction), slope_slack(plane), landing);
 }
 
 Landings careful_landings(const PlanePrimitive& plane, Vec3 origin, Vec3 direction) {
   Landings found = careful(plane, origin, direction);
-  if (found.count == 0) return found;
-  Root& root = found.at[0].root;
-  const bool entering = root.entering;
-  root = banded(plane, origin, direction, root.t);
-  root.entering = entering;
+  set_slack(plane, origin, direction, found.at[0]);
   return found;
+}
+
+Planar plane_of(const PlanePrimitive& plane) { return planar(plane.normal, plane.level, plane.point); }
+
+LANCER_FUSED bool land_fused(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Landing& landing) {
+  return land_by<Fused>(plane_of(plane), origin, direction, landing);
+}
+bool land_split(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Landing& landing) {
+  return land_by<Split>(plane_of(plane), origin, direction, landing);
 }
 
 }  // namespace
@@ -44,20 +43,19 @@ Roots roots(const PlanePrimitive& plane, const Probe& probe) {
   const Bounded depth = depth_below(plane, probe.origin);
   if (slope.value == 0 && slope.error == 0) return {};
   if (!knows_sign(slope) || !knows_sign(depth)) {
-    const Landings exactly = careful_landings(plane, probe.origin, probe.direction);
-    return {exactly.count, {exactly.at[0].root, {}}};
+    return careful_landings(plane, probe.origin, probe.direction).roots();
   }
-  const Root root = with_slack(plane, probe, depth, slope);
+  const Root root = crossing({depth.value, depth.error + depth_slack(plane, probe.origin)},
+                             {slope.value, slope.error + slope_slack(plane)}, slope.value < 0);
   if (!std::isfinite(root.t)) return {};
   return {1, {root, {}}};
 }
 
 Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, {}, {}};
-  const bool settled = land(plane_of(plane), origin, direction, root.t, landing);
-  if (settled) {
-    landing.root = banded(plane, origin, direction, landing.root.t);
-    landing.root.entering = root.entering;
+  Landing landing{root, 0, 0, {}, plane.unit_normal};
+  if (k_has_fused ? land_fused(plane, origin, direction, landing)
+                  : land_split(plane, origin, direction, landing)) {
+    set_slack(plane, origin, direction, landing);
     return landing;
   }
   const Landings exactly = careful_landings(plane, origin, direction);
@@ -66,12 +64,11 @@ Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Roo
     snap(plane_of(plane), landing.point);
     return landing;
   }
+  landing.root = root;
+  set_slack(plane, origin, direction, landing);
   landing.point = project(plane, origin + direction * root.t);
-  landing.normal = normal(plane);
   return landing;
 }
-
-Vec3 normal(const PlanePrimitive& plane) { return unit(plane_of(plane).n); }
 
 Vec3 project(const PlanePrimitive& plane, Vec3 p) {
   return p + plane.normal * (depth_below(plane, p).value / dot(plane.normal, plane.normal));

@@ -8,15 +8,16 @@ namespace lancer::tracer {
 
 struct PlanePrimitive {
   Vec3 point;
-  Vec3 normal;              // outward, largest component in [1, 2)
-  double level = 0;         // in units of the normal's length
+  Vec3 normal;       // outward, largest component in [1, 2)
+  double level = 0;  // in units of the normal's length
+  Vec3 unit_normal;
   double slack = 0;         // how far rounding may have moved the surface
   double normal_error = 0;  // relative, of the normal
 };
 
 Roots roots(const PlanePrimitive& plane, const Probe& probe);
 Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Root& root);
-Vec3 normal(const PlanePrimitive& plane);
+inline Vec3 normal(const PlanePrimitive& plane) { return plane.unit_normal; }
 /// The point of the plane next to p.
 Vec3 project(const PlanePrimitive& plane, Vec3 p);
 /// < 0 inside, 0 exactly on the surface, > 0 outside, in units of the normal's length.

@@ -1,78 +1,75 @@
 #include "tracer/shapes/sphere.hpp"
 
 #include "tracer/shapes/careful.hpp"
+#include "tracer/shapes/newton.hpp"
 
 namespace lancer::tracer {
 namespace {
 
-/// |f|^2 - r^2 as if in twice the precision; off by 2^-100 (|f|^2 + r^2) at most.
-double power(const Triple2& f, double r) {
-  Accurate sum;
-  sum.add_product(-r, r);
-  for (const DoubleDouble& x : f) {
-    sum.add_product(x.hi, x.hi);
-    sum.add_small(2 * x.hi * x.lo);
-  }
-  return sum.value();
-}
-
-/// With the bounds of the sphere's own rounding; `half_chord` is the part of the radius along the ray.
-Root banded(const SpherePrimitive& sphere, double t, bool entering, double half_chord) {
-  const double error = along_ray(sphere.slack, sphere.radius, half_chord) + 2 * k_u * std::fabs(t);
-  return plain_root(t, error, entering);
-}
-
-Root banded(const SpherePrimitive& sphere, const Landing& landing, Vec3 direction) {
-  const double half_chord = sphere.radius * std::fabs(dot(landing.normal, direction));
-  return banded(sphere, landing.root.t, landing.root.entering, half_chord);
+void set_slack(const SpherePrimitive& sphere, double half_chord, Landing& landing) {
+  landing.spread(along_ray(sphere.slack, sphere.radius, half_chord) + 2 * k_u * std::fabs(landing.root.t));
 }
 
 Landings careful_landings(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
   Landings found = careful(sphere, origin, direction);
-  for (Landing& landing : found.at) landing.root = banded(sphere, landing, direction);
+  for (Landing& landing : found.at)
+    set_slack(sphere, sphere.radius * std::fabs(dot(landing.normal, direction)), landing);
   return found;
 }
 
-/// One step of Newton's iteration, or two where the start is coarse.
-Distance solve(const Triple2& f, Vec3 direction, double r, double t) {
-  const double reach = r + sum_abs(rounded(f));
-  Distance at{{t, 0}, 0};
-  for (int step = 0; step < 3; ++step) {
-    const Triple2 v = advance(f, direction, at.t);
-    const double half_slope = dot(rounded(v), direction);
-    const double correction = -power(v, r) / (2 * half_slope);
-    const double bend = correction / half_slope;
-    at.t = at.t + correction * (1 - bend / 2);
-    const double unknown = 64 * k_u * k_u * r * (reach + std::fabs(at.t.hi)) / std::fabs(half_slope);
-    const double left = std::fabs(correction) * (8 * k_u * (1 + r / std::fabs(half_slope)) + bend * bend);
-    at.error = unknown + left;
-    if (left <= unknown) break;
-    if (!(std::fabs(bend) < 0.25)) return {at.t, reach};
-  }
-  return at;
-}
-
-bool land(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, Landing& landing) {
+template <class P>
+LANCER_INLINE bool land_by(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, Landing& landing) {
+  const double r = sphere.radius;
   const Triple2 f = exact_difference(origin, sphere.center);
-  const Distance distance = solve(f, direction, sphere.radius, landing.root.t);
-  if (!settles(distance)) return false;
-  const Triple2 v = advance(f, direction, distance.t);
-  if (!settles(rounded(v), advance_error(rounded(f), direction, distance))) return false;
-  const Triple2 start{DoubleDouble{origin.x, 0}, DoubleDouble{origin.y, 0}, DoubleDouble{origin.z, 0}};
-  landing.point = rounded(advance(start, direction, distance.t));
-  if (!settles(landing.point, advance_error(origin, direction, distance))) return false;
-  const DoubleDouble r{sphere.radius, 0};
-  landing.normal = {(v[0] / r).hi, (v[1] / r).hi, (v[2] / r).hi};
-  landing.root.t = distance.t.hi;
+  const double reach = r + sum_abs(rounded(f));
+  Triple2 v;  // from the centre to the crossing
+  Distance at{{landing.root.t, 0}, 0};
+  double half_chord = 0;
+  for (int step = 0; step < 3; ++step) {
+    v = advance<P>(f, direction, at.t);
+    Total<P> power;
+    power.add_product(-r, r);
+    for (const DoubleDouble& x : v) power.add_square(x);
+    const double half_slope = dot(rounded(v), direction);
+    const double inverse = 1 / half_slope;
+    const double correction = -0.5 * power.value() * inverse;
+    const double bend = correction * inverse;
+    const double moved = correction - 0.5 * correction * bend;
+    at.t = two_sum(at.t.hi, at.t.lo + moved);
+    for (std::size_t i = 0; i < 3; ++i)
+      v[i] = two_sum(v[i].hi, v[i].lo + moved * direction[static_cast<int>(i)]);
+    const double steep = std::fabs(inverse);
+    const double unknown = 64 * k_u * k_u * r * (reach + std::fabs(at.t.hi)) * steep;
+    const double left = std::fabs(correction) * (8 * k_u * (1 + r * steep) + bend * bend);
+    at.error = unknown + left;
+    half_chord = std::fabs(half_slope);
+    if (left <= 16 * unknown) break;
+    if (!(std::fabs(bend) < 0.25)) return false;
+  }
+  if (!settles(at.t.hi, at.error)) return false;
+  const Vec3 error = advance_error(rounded(f), direction, at);
+  if (!settles(rounded(v), error)) return false;
+  landing.root.t = at.t.hi;
+  const double one_over_r = 1 / r;
+  for (int i = 0; i < 3; ++i) {
+    const DoubleDouble& x = v[static_cast<std::size_t>(i)];
+    const DoubleDouble sum = two_sum(sphere.center[i], x.hi);
+    landing.point[i] = sum.hi + (sum.lo + x.lo);
+    landing.normal[i] = quotient<P>(x, r, one_over_r);
+  }
+  if (!settles(landing.point, error)) return false;
+  set_slack(sphere, half_chord, landing);
   return true;
 }
 
-}  // namespace
-
-double along_ray(double shift, double radius, double half_chord) {
-  const double most = std::sqrt(2 * shift * radius);
-  return shift + (half_chord > 0 ? std::fmin(shift * radius / half_chord, most) : most);
+LANCER_FUSED bool land_fused(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, Landing& landing) {
+  return land_by<Fused>(sphere, origin, direction, landing);
 }
+bool land_split(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, Landing& landing) {
+  return land_by<Split>(sphere, origin, direction, landing);
+}
+
+}  // namespace
 
 Roots roots(const SpherePrimitive& sphere, const Probe& probe) {
   const double r = sphere.radius;
@@ -84,35 +81,36 @@ Roots roots(const SpherePrimitive& sphere, const Probe& probe) {
   const double lost = 20 * k_u * reach;  // bounds the error of from_axis
   const double doubt = 2 * lost * (sum_abs(from_axis) + lost) + 4 * k_u * r * r;
   if (discriminant < -doubt) return {};
-  const double half_chord = std::sqrt(std::fmax(discriminant, 0));
-  const double error = 16 * k_u * (reach + r) + doubt / half_chord;
-  const double near = b - half_chord, far = b + half_chord;
-  if (discriminant > doubt && std::fabs(near) > error && std::fabs(far) > error) {
-    Roots found{2, {banded(sphere, near, true, half_chord), banded(sphere, far, false, half_chord)}};
-    for (Root& root : found.root) root.widen(error);
-    return found;
+  if (discriminant > doubt) {
+    const double half_chord = std::sqrt(discriminant);
+    const double near = b - half_chord, far = b + half_chord;
+    const double lateral = (sphere.slack * r + doubt) / half_chord;
+    const double error = sphere.slack + lateral + 18 * k_u * (reach + r);
+    if (std::fabs(near) > error && std::fabs(far) > error) {
+      return {2, {Root{near, error, true}, Root{far, error, false}}};
+    }
   }
-  const Landings exactly = careful_landings(sphere, probe.origin, probe.direction);
-  return {exactly.count, {exactly.at[0].root, exactly.at[1].root}};
+  return careful_landings(sphere, probe.origin, probe.direction).roots();
 }
 
 Root exit(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
   const Vec3 f = origin - sphere.center;
   const double half_chord = std::fmax(-dot(f, direction), 0);
-  Root root = banded(sphere, 2 * half_chord, false, half_chord);
-  root.widen(16 * k_u * (sum_abs(f) + sphere.radius));
-  return root;
+  const double error = along_ray(sphere.slack, sphere.radius, half_chord);
+  return {2 * half_chord, error + 16 * k_u * (sum_abs(f) + sphere.radius), false};
 }
 
 Landing land(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, {}, {}};
-  if (land(sphere, origin, direction, landing)) {
-    landing.root = banded(sphere, landing, direction);
+  Landing landing{root, 0, 0, {}, {}};
+  if (k_has_fused ? land_fused(sphere, origin, direction, landing)
+                  : land_split(sphere, origin, direction, landing)) {
     return landing;
   }
   const Landings exactly = careful_landings(sphere, origin, direction);
   const Landing& found = exactly.at[root.entering ? 0 : 1];
   if (exactly.count == 2 && found.root.t > 0) return found;
+  landing.root = root;
+  landing.spread(root.error);
   landing.point = project(sphere, origin + direction * root.t);
   landing.normal = normal(sphere, landing.point);
   return landing;
@@ -131,8 +129,11 @@ Aabb bounds(const SpherePrimitive& sphere) {
 
 double side(const SpherePrimitive& sphere, Vec3 p) {
   const Triple2 f = exact_difference(p, sphere.center);
-  const double out = power(f, sphere.radius);
+  Total<Split> power;
+  power.add_product(-sphere.radius, sphere.radius);
+  for (const DoubleDouble& x : f) power.add_square(x);
   const double size = dot(rounded(f), rounded(f)) + sphere.radius * sphere.radius;
+  const double out = power.value();
   return std::fabs(out) > 64 * k_u * k_u * size ? out : careful_side(sphere, p);
 }
 

@@ -26,8 +26,12 @@ Aabb bounds(const SpherePrimitive& sphere);
 /// < 0 inside, 0 exactly on the surface, > 0 outside.
 double side(const SpherePrimitive& sphere, Vec3 p);
 
-/// How far the crossing moves along a ray where the sphere moves by `shift`; `half_chord` is the part of the
+/// How far the crossing moves along a ray where a sphere moves by `shift`; `half_chord` is the part of the
 /// radius along the ray: by shift / cosine, but sqrt(2 shift radius) at most.
-double along_ray(double shift, double radius, double half_chord);
+inline double along_ray(double shift, double radius, double half_chord) {
+  const double rise = shift * radius;
+  const bool steep = 2 * half_chord * half_chord >= rise;
+  return shift + (steep ? rise / half_chord : std::sqrt(2 * rise));
+}
 
 }  // namespace lancer::tracer
