@@ -26,10 +26,10 @@ class Candidates {
 
   /// The crossing is within [low, high], as far as those are within the primitive's own bounds.
   void add(std::uint32_t primitive, const Root& root, const Interval& own, double low, double high) {
-    const double earliest = std::fmax(low, own.enter);
-    const double latest = std::fmax(std::fmin(high, own.leave), own.enter);
+    const double earliest = std::max(low, own.enter);
+    const double latest = std::max(std::min(high, own.leave), own.enter);
     if (earliest > limit_) return;
-    limit_ = std::fmin(limit_, latest);
+    limit_ = std::min(limit_, latest);
     if (list_.size() >= k_tidy) tidy();
     list_.push_back({primitive, root, own, earliest});
   }
@@ -141,8 +141,9 @@ void collect_contacts(const World& world, const Ray& ray, const Candidates& cand
     const bool mixed =
         world.primitives[c.primitive].kind == Kind::facet && is_mixed(world, candidates, shape);
     const bool in_shape = mixed ? starts_inside(ray, shape) : !c.root.entering;
+    const bool is_hit = c.primitive == hit.primitive;
     hit.contacts.push_back({c.primitive, shape, c.root.face, !c.root.entering, in_shape, false,
-                            normal(world, c.primitive, hit.point, c.root.face)});
+                            is_hit ? hit.normal : normal(world, c.primitive, hit.point, c.root.face)});
   }
   // The order in which the search found them must not show.
   std::sort(hit.contacts.begin(), hit.contacts.end(),
@@ -241,8 +242,8 @@ bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
     hit.point = project(world, hit.primitive, ray.origin + ray.direction * hit.root.t, hit.root.face);
     hit.normal = normal(world, hit.primitive, hit.point, hit.root.face);
   }
-  const double since = hit.root.t - std::fmax(std::fmax(landing.low, first.own.enter), 0);
-  hit.root.error = std::fmin(hit.root.error, std::fmax(since, candidates.limit() - hit.root.t));
+  const double since = hit.root.t - std::max(std::max(landing.low, first.own.enter), 0.0);
+  hit.root.error = std::min(hit.root.error, std::max(since, candidates.limit() - hit.root.t));
   hit.point_error = hit.root.error + 4 * k_u * max_abs(hit.point);
   collect_contacts(world, ray, candidates, hit);
   return true;

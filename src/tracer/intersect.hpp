@@ -76,7 +76,7 @@ inline Interval own_interval(const World& world, std::uint32_t primitive, const 
 inline Root within(Root root, const Interval& own) {
   const double enter = own.enter * (1 - 2 * gamma(3));  // as in interval(), for the near side
   if (root.t < enter || root.t > own.leave) root.t = root.t < enter ? enter : own.leave;
-  root.error = std::fmin(root.error, own.leave - enter);
+  root.error = std::min(root.error, own.leave - enter);
   return root;
 }
 

@@ -67,9 +67,10 @@ void add_plane(World& world, std::uint32_t shape, const scene::Plane& plane, con
   n = {std::scalbn(n.x, -exponent), std::scalbn(n.y, -exponent), std::scalbn(n.z, -exponent)};
   level = std::scalbn(level, -exponent);
   const double slack = image_error(map, plane.point) + 4 * k_u * std::fabs(level) / length(n);
-  append(world, world.planes,
-         PlanePrimitive{map.point(plane.point), n, level, unit(n), slack, (placed ? 16 : 2) * k_u},
-         Kind::plane, shape);
+  append(
+      world, world.planes,
+      PlanePrimitive{map.point(plane.point), n, level, unit(n), sum_abs(n), slack, (placed ? 16 : 2) * k_u},
+      Kind::plane, shape);
 }
 
 void add_box(World& world, std::uint32_t shape, const scene::Box& box, const Transform& transform) {
@@ -95,7 +96,10 @@ void add_box(World& world, std::uint32_t shape, const scene::Box& box, const Tra
       out.to_world[i] = {row.x * half.x, row.y * half.y, row.z * half.z};
     }
     out.to_own = accurate_inverse(out.to_world);
-    for (std::size_t i = 0; i < 3; ++i) out.normals[i] = unit(out.to_own[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      out.normals[i] = unit(out.to_own[i]);
+      out.reach[static_cast<int>(i)] = sum_abs(out.to_own[i]);
+    }
   }
   append(world, world.boxes, out, Kind::box, shape);
 }

@@ -4,7 +4,7 @@
 
 #include "tracer/shapes/careful.hpp"
 #include "tracer/shapes/linear_form.hpp"
-#include "tracer/shapes/planar.hpp"
+#include "tracer/shapes/newton.hpp"
 
 namespace lancer::tracer {
 namespace {
@@ -20,8 +20,8 @@ struct Local {
 Local to_frame(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
   if (box.aligned) return {origin, direction, {}, {}};
   const Vec3 offset = origin - box.center;
-  return {apply(box.to_own, offset), apply(box.to_own, direction), apply_abs(box.to_own, offset) * (6 * k_u),
-          apply_abs(box.to_own, direction) * (4 * k_u)};
+  return {apply(box.to_own, offset), apply(box.to_own, direction), box.reach * (6 * k_u * largest(offset)),
+          box.reach * (4 * k_u)};
 }
 
 Vec3 row(const BoxPrimitive& box, int axis) {
@@ -90,7 +90,7 @@ class Clip {
 
   /// Between the other sides, along a direction that is all but parallel to the sides of `axis`?
   Answer stays_within(int axis) const {
-    const double farthest = std::fmax(std::fabs(enter_.t) + enter_.error, std::fabs(leave_.t) + leave_.error);
+    const double farthest = std::max(std::fabs(enter_.t) + enter_.error, std::fabs(leave_.t) + leave_.error);
     const double drift = (std::fabs(ray_.direction[axis]) + ray_.direction_error[axis]) * farthest;
     const double doubt = ray_.origin_error[axis] + drift * (1 + 4 * k_u);
     const double at = ray_.origin[axis], lo = box_.lo[axis], hi = box_.hi[axis];
@@ -108,27 +108,17 @@ bool knows_sign(const Side& side) { return side.error == 0 || std::fabs(side.t) 
 
 /// How far a side may be off in the frame of the test, and the slope of a ray across it, for the rounding of
 /// the box and of its way into the world.
-double depth_slack(const BoxPrimitive& box, int face) {
-  return box.aligned ? box.slack : sum_abs(row(box, face / 2)) * box.slack;
-}
-double slope_slack(const BoxPrimitive& box, int face, Vec3 direction) {
-  return box.aligned ? 0 : 8 * k_u * dot(abs(row(box, face / 2)), abs(direction));
+double depth_slack(const BoxPrimitive& box, int face) { return box.reach[face / 2] * box.slack; }
+double slope_slack(const BoxPrimitive& box, int face) {
+  return box.aligned ? 0 : 8 * k_u * box.reach[face / 2];
 }
 
 void set_slack(const BoxPrimitive& box, Vec3 direction, Landing& landing) {
   const int face = landing.root.face;
-  spread(depth_slack(box, face), dot(row(box, face / 2), direction), slope_slack(box, face, direction),
-         landing);
+  spread(depth_slack(box, face), dot(row(box, face / 2), direction), slope_slack(box, face), landing);
 }
 
-Root root_at(const BoxPrimitive& box, const Side& side, bool entering, const Local& ray, Vec3 direction) {
-  const double steep = 1 / std::fabs(ray.direction[side.face / 2]);
-  const double doubt = slope_slack(box, side.face, direction);
-  const double slack = (depth_slack(box, side.face) + 2 * doubt * std::fabs(side.t)) * steep;
-  return {side.t, side.error + slack, entering, doubt * steep > 0.5, static_cast<std::uint8_t>(side.face)};
-}
-
-Landings careful_landings(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
+[[gnu::noinline, gnu::cold]] Landings careful_landings(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
   Landings found = careful(box, origin, direction);
   for (Landing& landing : found.at) set_slack(box, direction, landing);
   return found;
@@ -138,87 +128,141 @@ Landings careful_landings(const BoxPrimitive& box, Vec3 origin, Vec3 direction) 
 Planar plane_of(const BoxPrimitive& box, int face) {
   const int axis = face / 2;
   const double level = face % 2 == 0 ? box.lo[axis] : box.hi[axis];
-  if (!box.aligned) return planar(row(box, axis), level, box.center);
+  if (!box.aligned) return {row(box, axis), level, box.center};
   Vec3 at;
   at[axis] = level;
-  return planar(row(box, axis), 0, at);
+  return {row(box, axis), 0, at};
 }
 
-LANCER_FUSED bool land_fused(const BoxPrimitive& box, Vec3 origin, Vec3 direction, Landing& landing) {
-  return land_by<Fused>(plane_of(box, landing.root.face), origin, direction, landing);
-}
-bool land_split(const BoxPrimitive& box, Vec3 origin, Vec3 direction, Landing& landing) {
-  return land_by<Split>(plane_of(box, landing.root.face), origin, direction, landing);
-}
-
-/// Where no direction is in doubt and no two sides are near each other on the ray, which is nearly always.
-Answer quick_test(const BoxPrimitive& box, const Local& ray, Side& enter, Side& leave) {
+/// The pairs of sides on a ray, where no direction is in doubt, with a bound for each pair.
+struct Pairs {
   double in[3], out[3], doubt[3];
-  int first = 0, last = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double d = ray.direction[axis];
-    if (std::fabs(d) <= 4 * ray.direction_error[axis]) return Answer::unknown;
-    const double inverse = 1 / d;
-    const double lower = (box.lo[axis] - ray.origin[axis]) * inverse;
-    const double upper = (box.hi[axis] - ray.origin[axis]) * inverse;
+  bool upwards[3];
+
+  void set(int axis, double lower, double upper, double error, bool up) {
     in[axis] = std::min(lower, upper);
     out[axis] = std::max(lower, upper);
-    const double t = std::max(std::fabs(lower), std::fabs(upper));
-    doubt[axis] = (ray.origin_error[axis] + t * ray.direction_error[axis]) * std::fabs(inverse) * (4.0 / 3) +
-                  4 * k_u * t;
-    if (in[axis] > in[first]) first = axis;
-    if (out[axis] < out[last]) last = axis;
+    doubt[axis] = error + 4 * k_u * (std::fabs(lower) + std::fabs(upper));
+    upwards[axis] = up;
   }
-  if (in[first] - doubt[first] > out[last] + doubt[last]) return Answer::no;
-  if (!(in[first] + doubt[first] < out[last] - doubt[last])) return Answer::unknown;
+};
+
+bool find_pairs_aligned(const BoxPrimitive& box, Vec3 origin, Vec3 direction, Vec3 inverse, Pairs& pairs) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (axis != first && !(in[axis] + doubt[axis] < in[first] - doubt[first])) return Answer::unknown;
-    if (axis != last && !(out[axis] - doubt[axis] > out[last] + doubt[last])) return Answer::unknown;
+    if (direction[axis] == 0) return false;
+    const double by = inverse[axis], o = origin[axis];
+    pairs.set(axis, (box.lo[axis] - o) * by, (box.hi[axis] - o) * by, 0, by > 0);
   }
-  enter = {in[first], doubt[first], 2 * first + (ray.direction[first] < 0 ? 1 : 0)};
-  leave = {out[last], doubt[last], 2 * last + (ray.direction[last] > 0 ? 1 : 0)};
+  return true;
+}
+
+bool find_pairs_turned(const Local& ray, Pairs& pairs) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = ray.direction[axis];
+    if (std::fabs(d) <= 4 * ray.direction_error[axis]) return false;
+    const double inverse = 1 / d, o = ray.origin[axis];
+    const double lower = (-1 - o) * inverse, upper = (1 - o) * inverse;
+    const double farther = std::fabs(lower) + std::fabs(upper);
+    const double moved = ray.origin_error[axis] + farther * ray.direction_error[axis];
+    pairs.set(axis, lower, upper, 1.5 * moved * std::fabs(inverse), d > 0);
+  }
+  return true;
+}
+
+/// Tells where no two of them are near each other, which is nearly always.
+Answer decide(const Pairs& p, Side& enter, Side& leave) {
+  int first = p.in[1] > p.in[0] ? 1 : 0, last = p.out[1] < p.out[0] ? 1 : 0;
+  first = p.in[2] > p.in[first] ? 2 : first;
+  last = p.out[2] < p.out[last] ? 2 : last;
+  const double doubt = p.doubt[first] + p.doubt[last];
+  if (p.in[first] > p.out[last] + doubt) return Answer::no;
+  if (!(p.in[first] + doubt < p.out[last])) return Answer::unknown;
+  const double near = p.in[first] - p.doubt[first], far = p.out[last] + p.doubt[last];
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis != first && !(p.in[axis] + p.doubt[axis] < near)) return Answer::unknown;
+    if (axis != last && !(p.out[axis] - p.doubt[axis] > far)) return Answer::unknown;
+  }
+  enter = {p.in[first], p.doubt[first], 2 * first + (p.upwards[first] ? 0 : 1)};
+  leave = {p.out[last], p.doubt[last], 2 * last + (p.upwards[last] ? 1 : 0)};
   return Answer::yes;
+}
+
+Root root_at(const BoxPrimitive& box, const Side& side, bool entering, double slope) {
+  const double steep = 1 / std::fabs(slope);
+  const double doubt = slope_slack(box, side.face);
+  const double slack = (depth_slack(box, side.face) + 2 * doubt * std::fabs(side.t)) * steep;
+  return {side.t, side.error + slack, entering, doubt * steep > 0.5, static_cast<std::uint8_t>(side.face)};
+}
+
+Roots roots_at(const BoxPrimitive& box, const Side& in, const Side& out, Vec3 own_direction) {
+  return {2,
+          {root_at(box, in, true, own_direction[in.face / 2]),
+           root_at(box, out, false, own_direction[out.face / 2])}};
+}
+
+/// For the few rays that those leave open.
+[[gnu::noinline, gnu::cold]] Roots roots_by_clip(const BoxPrimitive& box, const Local& ray,
+                                                 const Probe& probe) {
+  const Clip clip(box, ray);
+  const Answer hits = clip.hits();
+  if (hits == Answer::no) return {};
+  const Side &in = clip.enter(), &out = clip.leave();
+  if (hits == Answer::yes && clip.knows_faces() && knows_sign(in) && knows_sign(out)) {
+    return roots_at(box, in, out, ray.direction);
+  }
+  return careful_landings(box, probe.origin, probe.direction).roots();
 }
 
 }  // namespace
 
 Roots roots(const BoxPrimitive& box, const Probe& probe) {
-  const Local ray = to_frame(box, probe.origin, probe.direction);
+  Pairs pairs;
   Side in, out;
-  Answer hits = quick_test(box, ray, in, out);
-  if (hits == Answer::no) return {};
-  if (hits == Answer::unknown) {
-    const Clip clip(box, ray);
-    hits = clip.hits();
+  if (box.aligned) {
+    if (find_pairs_aligned(box, probe.origin, probe.direction, probe.inverse, pairs)) {
+      const Answer hits = decide(pairs, in, out);
+      if (hits == Answer::no) return {};
+      if (hits == Answer::yes && knows_sign(in) && knows_sign(out)) {
+        return roots_at(box, in, out, probe.direction);
+      }
+    }
+    return roots_by_clip(box, to_frame(box, probe.origin, probe.direction), probe);
+  }
+  const Local ray = to_frame(box, probe.origin, probe.direction);
+  if (find_pairs_turned(ray, pairs)) {
+    const Answer hits = decide(pairs, in, out);
     if (hits == Answer::no) return {};
-    in = clip.enter();
-    out = clip.leave();
-    if (!clip.knows_faces()) hits = Answer::unknown;
+    if (hits == Answer::yes && knows_sign(in) && knows_sign(out))
+      return roots_at(box, in, out, ray.direction);
   }
-  if (hits == Answer::yes && knows_sign(in) && knows_sign(out)) {
-    return {2,
-            {root_at(box, in, true, ray, probe.direction), root_at(box, out, false, ray, probe.direction)}};
-  }
-  return careful_landings(box, probe.origin, probe.direction).roots();
+  return roots_by_clip(box, ray, probe);
 }
 
 Root exit(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
   const Local ray = to_frame(box, origin, direction);
-  const Clip clip(box, ray);
-  if (!clip.knows_faces()) {
-    const Landings exactly = careful_landings(box, origin, direction);
-    if (exactly.count == 2 && exactly.at[1].root.t > 0) return exactly.at[1].root;
+  const Vec3 inverse{1 / direction.x, 1 / direction.y, 1 / direction.z};
+  Pairs pairs;
+  Side in, out;
+  const bool found = box.aligned ? find_pairs_aligned(box, origin, direction, inverse, pairs)
+                                 : find_pairs_turned(ray, pairs);
+  if (!found || decide(pairs, in, out) != Answer::yes || !(out.t > 0)) {
+    const Clip clip(box, ray);
+    if (!clip.knows_faces()) {
+      const Landings exactly = careful_landings(box, origin, direction);
+      if (exactly.count == 2 && exactly.at[1].root.t > 0) return exactly.at[1].root;
+    }
+    out = clip.leave();
   }
-  Root leave = root_at(box, clip.leave(), false, ray, direction);
-  leave.t = std::fmax(leave.t, 0);
+  Root leave = root_at(box, out, false, ray.direction[out.face / 2]);
+  leave.t = std::max(leave.t, 0.0);
   return leave;
 }
 
 Landing land(const BoxPrimitive& box, Vec3 origin, Vec3 direction, const Root& root) {
   Landing landing{root, 0, 0, {}, normal(box, root.face)};
-  const bool settled =
-      k_has_fused ? land_fused(box, origin, direction, landing) : land_split(box, origin, direction, landing);
-  if (settled && landing.root.t > 0) {
+  const Planar plane = plane_of(box, root.face);
+  if (land_quickly(plane, origin, direction, landing) && landing.root.t > 0) {
+    snap(plane, landing.point);
     set_slack(box, direction, landing);
     return landing;
   }
@@ -242,8 +286,7 @@ Vec3 normal(const BoxPrimitive& box, int face) {
 
 Vec3 project(const BoxPrimitive& box, Vec3 p, int face) {
   Vec3 own = box.aligned ? p : apply(box.to_own, p - box.center);
-  for (int axis = 0; axis < 3; ++axis)
-    own[axis] = std::fmin(std::fmax(own[axis], box.lo[axis]), box.hi[axis]);
+  for (int axis = 0; axis < 3; ++axis) own[axis] = std::min(std::max(own[axis], box.lo[axis]), box.hi[axis]);
   own[face / 2] = face % 2 == 0 ? box.lo[face / 2] : box.hi[face / 2];
   return box.aligned ? own : box.center + apply(box.to_world, own);
 }
@@ -258,8 +301,8 @@ double side(const BoxPrimitive& box, Vec3 p) {
   const Local at = to_frame(box, p, {});
   double out = -k_infinity, doubt = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    out = std::fmax(out, std::fmax(box.lo[axis] - at.origin[axis], at.origin[axis] - box.hi[axis]));
-    doubt = std::fmax(doubt, at.origin_error[axis] + k_u * std::fabs(at.origin[axis]));
+    out = std::max(out, std::max(box.lo[axis] - at.origin[axis], at.origin[axis] - box.hi[axis]));
+    doubt = std::max(doubt, at.origin_error[axis] + k_u * std::fabs(at.origin[axis]));
   }
   return std::fabs(out) > doubt || box.aligned ? out : careful_side(box, p);
 }

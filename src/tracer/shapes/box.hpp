@@ -13,10 +13,11 @@ struct BoxPrimitive {
   Vec3 lo{-1, -1, -1}, hi{1, 1, 1};
   bool aligned = true;
   Vec3 center;
-  Rows to_own{};     // offsets from the centre to the cube's space
-  Rows to_world{};   // and back
-  Rows normals{};    // of the upper sides, unit length
-  double slack = 0;  // how far rounding may have moved the surface, in world units
+  Rows to_own{};        // offsets from the centre to the cube's space
+  Rows to_world{};      // and back
+  Rows normals{};       // of the upper sides, unit length
+  Vec3 reach{1, 1, 1};  // sums of the magnitudes in the rows of to_own
+  double slack = 0;     // how far rounding may have moved the surface, in world units
 };
 
 /// Rays through edges and corners, and such as lie in a side's plane, hit. Of two sides at the same distance

@@ -3,7 +3,7 @@
 #include "base/math.hpp"
 #include "tracer/shapes/careful.hpp"
 #include "tracer/shapes/linear_form.hpp"
-#include "tracer/shapes/planar.hpp"
+#include "tracer/shapes/newton.hpp"
 
 namespace lancer::tracer {
 namespace {
@@ -25,7 +25,7 @@ enum class Answer : std::uint8_t { no, yes, unknown };
 
 /// Is the ray on the same side of the three edges, each off by `doubt` at most?
 Answer same_side(double u, double v, double w, double doubt) {
-  const double least = std::fmin(u, std::fmin(v, w)), most = std::fmax(u, std::fmax(v, w));
+  const double least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
   if (least < -doubt && most > doubt) return Answer::no;
   return least > doubt || most < -doubt ? Answer::yes : Answer::unknown;
 }
@@ -43,7 +43,7 @@ Verdict quick_test(const FacetPrimitive& f, const Probe& probe) {
   // Each sheared coordinate is off by 5 u size at most, and no larger than 2 size.
   const double spread =
       std::fabs(a.x) + std::fabs(a.y) + std::fabs(b.x) + std::fabs(b.y) + std::fabs(c.x) + std::fabs(c.y);
-  const double off = 5 * k_u * std::fmax(a.size, std::fmax(b.size, c.size));
+  const double off = 5 * k_u * std::max(a.size, std::max(b.size, c.size));
   return {same_side(u, v, w, (off + 2 * k_u * spread) * spread + 2 * off * off), u + v + w};
 }
 
@@ -53,13 +53,13 @@ Triple2 cross(const Triple2& a, const Triple2& b) {
 }
 
 /// The same in twice the precision, by triple products.
-Verdict long_test(const FacetPrimitive& f, const Probe& probe) {
+[[gnu::noinline, gnu::cold]] Verdict long_test(const FacetPrimitive& f, const Probe& probe) {
   const Triple2 a = exact_difference(f.a, probe.origin), b = exact_difference(f.b, probe.origin),
                 c = exact_difference(f.c, probe.origin);
   const double u = -dot(cross(b, c), probe.direction).hi;
   const double v = -dot(cross(c, a), probe.direction).hi;
   const double w = -dot(cross(a, b), probe.direction).hi;
-  const double size = std::fmax(sum_abs(rounded(a)), std::fmax(sum_abs(rounded(b)), sum_abs(rounded(c))));
+  const double size = std::max(sum_abs(rounded(a)), std::max(sum_abs(rounded(b)), sum_abs(rounded(c))));
   return {same_side(u, v, w, 256 * k_u * k_u * size * size), u + v + w};
 }
 
@@ -81,36 +81,10 @@ void set_slack(const FacetPrimitive& f, Vec3 origin, Vec3 direction, Landing& la
   spread(depth_slack(f, origin), lancer::dot(f.normal, direction), k_slope_slack, landing);
 }
 
-Landings careful_landings(const FacetPrimitive& f, Vec3 origin, Vec3 direction) {
+[[gnu::noinline, gnu::cold]] Landings careful_landings(const FacetPrimitive& f, Vec3 origin, Vec3 direction) {
   Landings found = careful(f, origin, direction);
   set_slack(f, origin, direction, found.at[0]);
   return found;
-}
-
-template <class P>
-LANCER_INLINE Planar plane_by(const FacetPrimitive& f) {
-  const Triple2 e1 = exact_difference(f.b, f.a), e2 = exact_difference(f.c, f.a);
-  Planar plane;
-  plane.at = f.a;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const DoubleDouble &p = e1[(i + 1) % 3], &q = e2[(i + 2) % 3], &r = e1[(i + 2) % 3], &s = e2[(i + 1) % 3];
-    const DoubleDouble first = P::product(p.hi, q.hi), second = P::product(r.hi, s.hi);
-    const DoubleDouble difference = two_sum(first.hi, -second.hi);
-    const double low = (first.lo - second.lo) + ((p.hi * q.lo + p.lo * q.hi) - (r.hi * s.lo + r.lo * s.hi));
-    plane.n[i] = two_sum(difference.hi, difference.lo + low);
-    plane.n_terms[static_cast<int>(i)] = std::fabs(first.hi) + std::fabs(second.hi);
-  }
-  return plane;
-}
-
-/// The facet's plane, with the normal (b-a) x (c-a) in twice the precision.
-Planar plane_of(const FacetPrimitive& f) { return plane_by<Split>(f); }
-
-LANCER_FUSED bool land_fused(const FacetPrimitive& f, Vec3 origin, Vec3 direction, Landing& landing) {
-  return land_by<Fused>(plane_by<Fused>(f), origin, direction, landing);
-}
-bool land_split(const FacetPrimitive& f, Vec3 origin, Vec3 direction, Landing& landing) {
-  return land_by<Split>(plane_by<Split>(f), origin, direction, landing);
 }
 
 }  // namespace
@@ -129,15 +103,15 @@ Roots roots(const FacetPrimitive& facet, const Probe& probe) {
 
 Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root) {
   Landing landing{root, 0, 0, {}, facet.normal};
-  if (k_has_fused ? land_fused(facet, origin, direction, landing)
-                  : land_split(facet, origin, direction, landing)) {
+  if (land_quickly(facet, origin, direction, landing)) {
+    snap({facet.normal, 0, facet.a}, landing.point);
     set_slack(facet, origin, direction, landing);
     return landing;
   }
   const Landings exactly = careful_landings(facet, origin, direction);
   if (exactly.count == 1 && exactly.at[0].root.t > 0) {
     landing = exactly.at[0];
-    snap(plane_of(facet), landing.point);
+    snap({facet.normal, 0, facet.a}, landing.point);
     return landing;
   }
   landing.root = root;
@@ -147,7 +121,7 @@ Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Roo
 }
 
 Vec3 normal_of_corners(const FacetPrimitive& facet) {
-  const Vec3 n = unit(plane_of(facet).n);
+  const Vec3 n = unit(cross(exact_difference(facet.b, facet.a), exact_difference(facet.c, facet.a)));
   return facet.flipped ? -n : n;
 }
 
@@ -162,9 +136,9 @@ Barycentric barycentric(const FacetPrimitive& facet, Vec3 p) {
   const int i = (drop + 1) % 3, j = (drop + 2) % 3;
   const Vec3 a = facet.a - p, b = facet.b - p, c = facet.c - p;
   const double sign = n[drop] < 0 ? -1 : 1;
-  const double u = std::fmax(0, sign * difference_of_products(b[i], c[j], b[j], c[i]));
-  const double v = std::fmax(0, sign * difference_of_products(c[i], a[j], c[j], a[i]));
-  const double w = std::fmax(0, sign * difference_of_products(a[i], b[j], a[j], b[i]));
+  const double u = std::max(0.0, sign * difference_of_products(b[i], c[j], b[j], c[i]));
+  const double v = std::max(0.0, sign * difference_of_products(c[i], a[j], c[j], a[i]));
+  const double w = std::max(0.0, sign * difference_of_products(a[i], b[j], a[j], b[i]));
   const double sum = u + v + w;
   if (!(sum > 0)) return {1, 0, 0};
   return {u / sum, v / sum, w / sum};

@@ -2,7 +2,7 @@
 
 #include "tracer/shapes/careful.hpp"
 #include "tracer/shapes/linear_form.hpp"
-#include "tracer/shapes/planar.hpp"
+#include "tracer/shapes/newton.hpp"
 
 namespace lancer::tracer {
 namespace {
@@ -11,14 +11,16 @@ Bounded depth_below(const PlanePrimitive& plane, Vec3 p) {
   return bounded_depth(plane.level, plane.normal, p, plane.point);
 }
 
-/// How far the plane may be off where the ray starts, and its slope, in units of the normal's length.
-double depth_slack(const PlanePrimitive& plane, Vec3 origin) {
-  return sum_abs(plane.normal) * (plane.slack + plane.normal_error * sum_abs(origin - plane.point));
+/// How far the plane may be off next to a point that far from the plane's own, and its slope, in units of the
+/// normal's length.
+double depth_slack(const PlanePrimitive& plane, double distance) {
+  return plane.size * (plane.slack + plane.normal_error * distance);
 }
-double slope_slack(const PlanePrimitive& plane) { return sum_abs(plane.normal) * plane.normal_error; }
+double slope_slack(const PlanePrimitive& plane) { return plane.size * plane.normal_error; }
 
 void set_slack(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Landing& landing) {
-  spread(depth_slack(plane, origin), dot(plane.normal, direction), slope_slack(plane), landing);
+  spread(depth_slack(plane, sum_abs(origin - plane.point)), dot(plane.normal, direction), slope_slack(plane),
+         landing);
 }
 
 Landings careful_landings(const PlanePrimitive& plane, Vec3 origin, Vec3 direction) {
@@ -27,34 +29,44 @@ Landings careful_landings(const PlanePrimitive& plane, Vec3 origin, Vec3 directi
   return found;
 }
 
-Planar plane_of(const PlanePrimitive& plane) { return planar(plane.normal, plane.level, plane.point); }
+Planar plane_of(const PlanePrimitive& plane) { return {plane.normal, plane.level, plane.point}; }
 
-LANCER_FUSED bool land_fused(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Landing& landing) {
-  return land_by<Fused>(plane_of(plane), origin, direction, landing);
+Roots roots_with(const PlanePrimitive& plane, Bounded slope, Bounded depth, double distance) {
+  depth.error += depth_slack(plane, distance);
+  slope.error += slope_slack(plane);
+  const Root root = crossing(depth, slope, slope.value < 0);
+  if (!std::isfinite(root.t)) return {};
+  return {1, {root, {}}};
 }
-bool land_split(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Landing& landing) {
-  return land_by<Split>(plane_of(plane), origin, direction, landing);
+
+/// For the few rays that start all but in the plane, or run all but along it.
+[[gnu::noinline, gnu::cold]] Roots close_roots(const PlanePrimitive& plane, const Probe& probe,
+                                               double distance) {
+  const Bounded slope = bounded_dot(plane.normal, probe.direction);
+  const Bounded depth = depth_below(plane, probe.origin);
+  if (slope.value == 0 && slope.error == 0) return {};
+  if (knows_sign(slope) && knows_sign(depth)) return roots_with(plane, slope, depth, distance);
+  return careful_landings(plane, probe.origin, probe.direction).roots();
 }
 
 }  // namespace
 
 Roots roots(const PlanePrimitive& plane, const Probe& probe) {
-  const Bounded slope = bounded_dot(plane.normal, probe.direction);
-  const Bounded depth = depth_below(plane, probe.origin);
-  if (slope.value == 0 && slope.error == 0) return {};
-  if (!knows_sign(slope) || !knows_sign(depth)) {
-    return careful_landings(plane, probe.origin, probe.direction).roots();
+  const Vec3 offset = probe.origin - plane.point;
+  const double distance = sum_abs(offset);
+  const Bounded slope{dot(plane.normal, probe.direction), 3 * k_u * plane.size};
+  const Bounded depth{plane.level - dot(plane.normal, offset),
+                      5 * k_u * (plane.size * distance + std::fabs(plane.level))};
+  if (std::fabs(slope.value) > slope.error && std::fabs(depth.value) > depth.error) {
+    return roots_with(plane, slope, depth, distance);
   }
-  const Root root = crossing({depth.value, depth.error + depth_slack(plane, probe.origin)},
-                             {slope.value, slope.error + slope_slack(plane)}, slope.value < 0);
-  if (!std::isfinite(root.t)) return {};
-  return {1, {root, {}}};
+  return close_roots(plane, probe, distance);
 }
 
 Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Root& root) {
   Landing landing{root, 0, 0, {}, plane.unit_normal};
-  if (k_has_fused ? land_fused(plane, origin, direction, landing)
-                  : land_split(plane, origin, direction, landing)) {
+  if (land_quickly(plane_of(plane), origin, direction, landing)) {
+    snap(plane_of(plane), landing.point);
     set_slack(plane, origin, direction, landing);
     return landing;
   }

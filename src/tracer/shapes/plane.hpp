@@ -11,6 +11,7 @@ struct PlanePrimitive {
   Vec3 normal;       // outward, largest component in [1, 2)
   double level = 0;  // in units of the normal's length
   Vec3 unit_normal;
+  double size = 0;          // the sum of the normal's components' magnitudes
   double slack = 0;         // how far rounding may have moved the surface
   double normal_error = 0;  // relative, of the normal
 };

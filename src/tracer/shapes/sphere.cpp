@@ -10,63 +10,12 @@ void set_slack(const SpherePrimitive& sphere, double half_chord, Landing& landin
   landing.spread(along_ray(sphere.slack, sphere.radius, half_chord) + 2 * k_u * std::fabs(landing.root.t));
 }
 
-Landings careful_landings(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
+[[gnu::noinline, gnu::cold]] Landings careful_landings(const SpherePrimitive& sphere, Vec3 origin,
+                                                       Vec3 direction) {
   Landings found = careful(sphere, origin, direction);
   for (Landing& landing : found.at)
     set_slack(sphere, sphere.radius * std::fabs(dot(landing.normal, direction)), landing);
   return found;
-}
-
-template <class P>
-LANCER_INLINE bool land_by(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, Landing& landing) {
-  const double r = sphere.radius;
-  const Triple2 f = exact_difference(origin, sphere.center);
-  const double reach = r + sum_abs(rounded(f));
-  Triple2 v;  // from the centre to the crossing
-  Distance at{{landing.root.t, 0}, 0};
-  double half_chord = 0;
-  for (int step = 0; step < 3; ++step) {
-    v = advance<P>(f, direction, at.t);
-    Total<P> power;
-    power.add_product(-r, r);
-    for (const DoubleDouble& x : v) power.add_square(x);
-    const double half_slope = dot(rounded(v), direction);
-    const double inverse = 1 / half_slope;
-    const double correction = -0.5 * power.value() * inverse;
-    const double bend = correction * inverse;
-    const double moved = correction - 0.5 * correction * bend;
-    at.t = two_sum(at.t.hi, at.t.lo + moved);
-    for (std::size_t i = 0; i < 3; ++i)
-      v[i] = two_sum(v[i].hi, v[i].lo + moved * direction[static_cast<int>(i)]);
-    const double steep = std::fabs(inverse);
-    const double unknown = 64 * k_u * k_u * r * (reach + std::fabs(at.t.hi)) * steep;
-    const double left = std::fabs(correction) * (8 * k_u * (1 + r * steep) + bend * bend);
-    at.error = unknown + left;
-    half_chord = std::fabs(half_slope);
-    if (left <= 16 * unknown) break;
-    if (!(std::fabs(bend) < 0.25)) return false;
-  }
-  if (!settles(at.t.hi, at.error)) return false;
-  const Vec3 error = advance_error(rounded(f), direction, at);
-  if (!settles(rounded(v), error)) return false;
-  landing.root.t = at.t.hi;
-  const double one_over_r = 1 / r;
-  for (int i = 0; i < 3; ++i) {
-    const DoubleDouble& x = v[static_cast<std::size_t>(i)];
-    const DoubleDouble sum = two_sum(sphere.center[i], x.hi);
-    landing.point[i] = sum.hi + (sum.lo + x.lo);
-    landing.normal[i] = quotient<P>(x, r, one_over_r);
-  }
-  if (!settles(landing.point, error)) return false;
-  set_slack(sphere, half_chord, landing);
-  return true;
-}
-
-LANCER_FUSED bool land_fused(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, Landing& landing) {
-  return land_by<Fused>(sphere, origin, direction, landing);
-}
-bool land_split(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, Landing& landing) {
-  return land_by<Split>(sphere, origin, direction, landing);
 }
 
 }  // namespace
@@ -95,20 +44,23 @@ Roots roots(const SpherePrimitive& sphere, const Probe& probe) {
 
 Root exit(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
   const Vec3 f = origin - sphere.center;
-  const double half_chord = std::fmax(-dot(f, direction), 0);
+  const double half_chord = std::max(-dot(f, direction), 0.0);
   const double error = along_ray(sphere.slack, sphere.radius, half_chord);
   return {2 * half_chord, error + 16 * k_u * (sum_abs(f) + sphere.radius), false};
 }
 
 Landing land(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, const Root& root) {
   Landing landing{root, 0, 0, {}, {}};
-  if (k_has_fused ? land_fused(sphere, origin, direction, landing)
-                  : land_split(sphere, origin, direction, landing)) {
+  if (land_quickly(sphere, origin, direction, landing)) {
+    set_slack(sphere, sphere.radius * std::fabs(dot(landing.normal, direction)), landing);
     return landing;
   }
   const Landings exactly = careful_landings(sphere, origin, direction);
   const Landing& found = exactly.at[root.entering ? 0 : 1];
-  if (exactly.count == 2 && found.root.t > 0) return found;
+  if (exactly.count == 2 && found.root.t > 0) {
+    landing = found;
+    return landing;
+  }
   landing.root = root;
   landing.spread(root.error);
   landing.point = project(sphere, origin + direction * root.t);
@@ -129,9 +81,12 @@ Aabb bounds(const SpherePrimitive& sphere) {
 
 double side(const SpherePrimitive& sphere, Vec3 p) {
   const Triple2 f = exact_difference(p, sphere.center);
-  Total<Split> power;
+  Accurate power;
   power.add_product(-sphere.radius, sphere.radius);
-  for (const DoubleDouble& x : f) power.add_square(x);
+  for (const DoubleDouble& x : f) {
+    power.add_product(x.hi, x.hi);
+    power.add_small(2 * x.hi * x.lo);
+  }
   const double size = dot(rounded(f), rounded(f)) + sphere.radius * sphere.radius;
   const double out = power.value();
   return std::fabs(out) > 64 * k_u * k_u * size ? out : careful_side(sphere, p);

@@ -1,0 +1,155 @@
+#pragma once
+// Vectors in twice the precision, their components side by side in one register where the processor has such.
+// Compiled once for every processor and once for those with AVX2 and fused multiply-add, each in a namespace
+// of its own, LANCER_TARGET; the bits are the same. Nothing here may be left to the linker to choose from
+// either, so everything is inlined.
+
+#include <algorithm>
+#include <cmath>
+
+#if defined(__AVX2__) && defined(__FMA__)
+#include <immintrin.h>
+#endif
+
+#include "tracer/numeric.hpp"
+
+#define LANCER_INLINE [[gnu::always_inline]] inline
+
+namespace lancer::tracer::LANCER_TARGET {
+
+/// The three components of a vector, and 0.
+using Lanes [[gnu::vector_size(32)]] = double;
+
+/// Sums hi + lo, component by component; lo may be as large as the rounding of what hi was summed from.
+struct Lanes2 {
+  Lanes hi, lo;
+};
+
+LANCER_INLINE Lanes lanes(Vec3 v) { return Lanes{v.x, v.y, v.z, 0}; }
+LANCER_INLINE Lanes lanes(double s) { return Lanes{s, s, s, s}; }
+LANCER_INLINE Vec3 vec(Lanes v) { return {v[0], v[1], v[2]}; }
+LANCER_INLINE Lanes abs(Lanes v) { return Lanes{std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2]), 0}; }
+/// Of the components.
+LANCER_INLINE double sum(Lanes v) { return v[0] + v[1] + v[2]; }
+LANCER_INLINE double least(Lanes v) { return std::min(v[0], std::min(v[1], v[2])); }
+
+/// a + b exactly.
+template <class T>
+struct Sum {
+  T hi, lo;
+};
+template <class T>
+LANCER_INLINE Sum<T> exact_sum(T a, T b) {
+  const T s = a + b;
+  const T t = s - a;
+  return {s, (a - (s - t)) + (b - t)};
+}
+
+#if defined(__AVX2__) && defined(__FMA__)
+LANCER_INLINE Sum<double> exact_product(double a, double b) {
+  const double p = a * b;
+  return {p, __builtin_fma(a, b, -p)};
+}
+LANCER_INLINE Sum<Lanes> exact_product(Lanes a, Lanes b) {
+  const Lanes p = a * b;
+  return {p, static_cast<Lanes>(_mm256_fmsub_pd(a, b, p))};
+}
+#else
+LANCER_INLINE double constant(double s, double) { return s; }
+LANCER_INLINE Lanes constant(double s, Lanes) { return lanes(s); }
+/// By Dekker's splitting of the factors.
+template <class T>
+LANCER_INLINE Sum<T> exact_product(T a, T b) {
+  const T splitter = constant(134217729, a);  // 2^27 + 1
+  const T p = a * b;
+  const T as = a * splitter, bs = b * splitter;
+  const T a1 = as - (as - a), b1 = bs - (bs - b);
+  const T a0 = a - a1, b0 = b - b1;
+  return {p, ((a1 * b1 - p) + a1 * b0 + a0 * b1) + a0 * b0};
+}
+#endif
+
+/// a - b exactly.
+LANCER_INLINE Lanes2 exact_difference(Vec3 a, Vec3 b) {
+  const Sum<Lanes> d = exact_sum(lanes(a), -lanes(b));
+  return {d.hi, d.lo};
+}
+
+/// A sum of products as if in twice the precision (Ogita, Rump, Oishi: Dot2).
+struct Total {
+  double high = 0, low = 0;
+
+  LANCER_INLINE void add(double value) {
+    const Sum<double> s = exact_sum(high, value);
+    high = s.hi;
+    low += s.lo;
+  }
+  LANCER_INLINE void add_product(double a, double b) {
+    const Sum<double> product = exact_product(a, b);
+    add(product.hi);
+    low += product.lo;
+  }
+  /// The components of a . b.
+  LANCER_INLINE void add_dot(Lanes2 a, Lanes2 b) {
+    const Sum<Lanes> product = exact_product(a.hi, b.hi);
+    add(product.hi[0]);
+    add(product.hi[1]);
+    add(product.hi[2]);
+    low += sum(product.lo + (a.hi * b.lo + a.lo * b.hi) + a.lo * b.lo);
+  }
+  LANCER_INLINE double value() const { return high + low; }
+  LANCER_INLINE DoubleDouble rounded() const {
+    const Sum<double> s = exact_sum(high, low);
+    return {s.hi, s.lo};
+  }
+};
+
+/// A distance as an unevaluated sum, and how far it may be off.
+struct Distance {
+  double hi = 0, lo = 0;
+  double error = 0;
+
+  LANCER_INLINE void add(double correction) {
+    const Sum<double> s = exact_sum(hi, lo + correction);
+    hi = s.hi;
+    lo = s.lo;
+  }
+};
+
+/// from + t d, off by 8 u^2 (|from| + |t d|) at most.
+LANCER_INLINE Lanes2 advance(Lanes2 from, Lanes d, const Distance& t) {
+  const Sum<Lanes> way = exact_product(lanes(t.hi), d);
+  const Sum<Lanes> s = exact_sum(from.hi, way.hi);
+  return {s.hi, s.lo + (way.lo + lanes(t.lo) * d + from.lo)};
+}
+/// What it may be off, and more simply a bound for all components.
+LANCER_INLINE Lanes advance_error(Lanes from, Lanes d, const Distance& t) {
+  return (abs(from) + abs(d) * lanes(std::fabs(t.hi))) * lanes(8 * k_u * k_u) + abs(d) * lanes(t.error);
+}
+LANCER_INLINE double advance_bound(double reach, const Distance& t) {
+  return (reach + std::fabs(t.hi)) * (8 * k_u * k_u) + t.error;
+}
+
+/// from + v.hi + v.lo.
+LANCER_INLINE Vec3 moved(Vec3 from, Lanes2 v) {
+  const Sum<Lanes> s = exact_sum(lanes(from), v.hi);
+  return vec(s.hi + (s.lo + v.lo));
+}
+
+/// Is the error far below the last bit of the value, or of `size`?
+LANCER_INLINE bool settles(double value, double error, double size = 0) {
+  return error <= std::max(std::fabs(value), size) * (k_u / 16);
+}
+/// Are all these errors below the last bits of the components, or of the largest component times 2^-40?
+LANCER_INLINE bool settles(Lanes value, Lanes error) {
+  const Lanes size = abs(value);
+  const double enough = sum(size) * 0x1p-41;
+  return settles(size[0], error[0], enough) && settles(size[1], error[1], enough) &&
+         settles(size[2], error[2], enough);
+}
+LANCER_INLINE bool settles(Lanes value, double error) {
+  const Lanes size = abs(value);
+  return settles(least(size), error, sum(size) * 0x1p-41);
+}
+
+}  // namespace lancer::tracer::LANCER_TARGET
