@@ -51,9 +51,13 @@ void add_sphere(World& world, std::uint32_t shape, const scene::Sphere& sphere, 
     append(world, world.spheres, SpherePrimitive{center, sphere.radius * factor, slack}, Kind::sphere, shape);
     return;
   }
-  EllipsoidPrimitive ellipsoid{center, {}, map.rows, slack};
+  EllipsoidPrimitive ellipsoid{center, {}, map.rows, slack, 0, 0};
   for (Vec3& row : ellipsoid.to_world) row = row * sphere.radius;
   ellipsoid.to_own = accurate_inverse(ellipsoid.to_world);
+  for (const Vec3 row : ellipsoid.to_own) {
+    ellipsoid.reach += sum_abs(row);
+    ellipsoid.own_slack = std::fmax(ellipsoid.own_slack, sum_abs(row) * slack);
+  }
   append(world, world.ellipsoids, ellipsoid, Kind::ellipsoid, shape);
 }
 

@@ -18,21 +18,16 @@ struct OwnRay {
     origin = apply(e.to_own, offset);
     direction = apply(e.to_own, towards);
     speed = std::sqrt(dot(direction, direction));
-    origin_error = 6 * k_u * sum_abs(apply_abs(e.to_own, offset));
-    direction_error = 4 * k_u * sum_abs(apply_abs(e.to_own, towards));
+    origin_error = 6 * k_u * e.reach * largest(offset);
+    direction_error = 4 * k_u * e.reach;
   }
 };
-
-/// How far the surface's own rounding may move it in the unit sphere's space.
-double own_slack(const EllipsoidPrimitive& e) {
-  return std::max(sum_abs(e.to_own[0]), std::max(sum_abs(e.to_own[1]), sum_abs(e.to_own[2]))) * e.slack;
-}
 
 void set_slack(const EllipsoidPrimitive& e, Vec3 direction, Landing& landing) {
   const Vec3 w = apply(e.to_own, landing.point - e.center), own_direction = apply(e.to_own, direction);
   const double speed = std::sqrt(dot(own_direction, own_direction));
   const double half_chord = std::fabs(dot(w, own_direction)) / speed;
-  landing.spread(along_ray(own_slack(e), 1, half_chord) / speed + 2 * k_u * std::fabs(landing.root.t));
+  landing.spread(along_ray(e.own_slack, 1, half_chord) / speed + 2 * k_u * std::fabs(landing.root.t));
 }
 
 [[gnu::noinline, gnu::cold]] Landings careful_landings(const EllipsoidPrimitive& e, Vec3 origin,
@@ -56,7 +51,7 @@ Roots roots(const EllipsoidPrimitive& e, const Probe& probe) {
   if (discriminant > doubt && turn < 0x1p-20) {
     const double half_chord = std::sqrt(discriminant);
     const double half = half_chord / ray.speed;
-    const double shift = own_slack(e);
+    const double shift = e.own_slack;
     const double error = (2 * lost + shift + (shift + doubt) / half_chord) / ray.speed +
                          (8 * k_u + 3 * turn) * (std::fabs(b) + half);
     const double near = b - half, far = b + half;
@@ -72,7 +67,7 @@ Root exit(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction) {
   const double half_chord = std::max(-dot(ray.origin, ray.direction) / ray.speed, 0.0);
   const double lost =
       4 * ray.origin_error + sum_abs(ray.origin) * (16 * k_u + 4 * ray.direction_error / ray.speed);
-  return {2 * half_chord / ray.speed, (along_ray(own_slack(e), 1, half_chord) + lost) / ray.speed, false};
+  return {2 * half_chord / ray.speed, (along_ray(e.own_slack, 1, half_chord) + lost) / ray.speed, false};
 }
 
 Landing land(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction, const Root& root) {

@@ -12,9 +12,11 @@ namespace lancer::tracer {
 /// The points x with |to_own (x - center)| = 1.
 struct EllipsoidPrimitive {
   Vec3 center;
-  Rows to_own;       // offsets from the centre to the unit sphere's space
-  Rows to_world;     // and back
-  double slack = 0;  // how far rounding may have moved the surface, in world units
+  Rows to_own;           // offsets from the centre to the unit sphere's space
+  Rows to_world;         // and back
+  double slack = 0;      // how far rounding may have moved the surface, in world units
+  double reach = 0;      // the sum of the magnitudes of to_own
+  double own_slack = 0;  // the slack in the unit sphere's space
 };
 
 Roots roots(const EllipsoidPrimitive& ellipsoid, const Probe& probe);
