@@ -1,0 +1,8 @@
+#version 3.7;
+global_settings{assumed_gamma 1.0 max_trace_level 60 adc_bailout 0 }
+background{rgb 0.1}
+camera{perspective location <30000.0,40000.0,-600000.0> direction <-0.07444770310441474,-0.1116715546566221,1.8611925776103684> right <0.9992009587217895,0.0,0.03996803834887158> up <-0.002391871498609874,0.9982077054198542,0.059796787465246845>}
+box{<-100000.0,-100000.0,100000.0>,<100000.0,100000.0,-100000.0> pigment{rgbf<1,1,1,1>} finish{ambient 0 emission 0.0 diffuse 0.0 specular 0 phong 0 reflection{0.0} } interior{ior 1.3}}
+sphere{<10000.0,5000.0,-20000.0>,60000.0 pigment{rgbf<1,1,1,1>} finish{ambient 0 emission 0.0 diffuse 0.0 specular 0 phong 0 reflection{0.0} } interior{ior 1.6}}
+plane{<0.3,0.2,1.0>,650000.0 pigment{rgb 1} finish{ambient 0 emission 0.8 diffuse 0.0 specular 0 phong 0 reflection{0.0} }}
+sphere{<50000.0,40000.0,400000.0>,120000.0 pigment{rgb 1} finish{ambient 0 emission 0.3 diffuse 0.0 specular 0 phong 0 reflection{0.0} }}

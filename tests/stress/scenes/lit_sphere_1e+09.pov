@@ -1,0 +1,6 @@
+#version 3.7;
+global_settings{assumed_gamma 1.0 max_trace_level 60 adc_bailout 0 }
+background{rgb 0.0}
+camera{perspective location <0.0,0.0,0.0> direction <0.0,0.0,400000000.0> right <1.0,-0.0,0.0> up <0.0,1.0,0.0>}
+light_source{<3.0,4.0,999999995.0> rgb 1}
+sphere{<0.0123,-0.0317,1000000000.0>,1.0 pigment{rgb 1} finish{ambient 0 emission 0.0 diffuse 1.0 specular 0 phong 0 reflection{0.0} }}
