@@ -15,6 +15,7 @@ struct Candidate {
   Root root;
   Interval own;         // where the primitive's bounds are
   double earliest = 0;  // the true distance is no less
+  Vec3 normal;          // where there are several
 };
 
 /// Those that may be the first of all seen so far. Which ones those are does not depend on the order in which
@@ -25,13 +26,14 @@ class Candidates {
   const double& limit() const { return limit_; }
 
   /// The crossing is within [low, high], as far as those are within the primitive's own bounds.
-  void add(std::uint32_t primitive, const Root& root, const Interval& own, double low, double high) {
+  void add(std::uint32_t primitive, const Root& root, const Interval& own, double low, double high,
+           Vec3 normal = {}) {
     const double earliest = std::max(low, own.enter);
     const double latest = std::max(std::min(high, own.leave), own.enter);
     if (earliest > limit_) return;
     limit_ = std::min(limit_, latest);
     if (list_.size() >= k_tidy) tidy();
-    list_.push_back({primitive, root, own, earliest});
+    list_.push_back({primitive, root, own, earliest, normal});
   }
   void add(std::uint32_t primitive, const Root& root, const Interval& own) {
     const double error = root.loose ? k_infinity : root.error;
@@ -95,7 +97,7 @@ Candidates settled(const World& world, const Ray& ray, const Candidates& quick) 
   Candidates candidates;
   for (const Candidate& c : quick) {
     const Landing landing = land(world, c.primitive, ray.origin, ray.direction, c.root);
-    candidates.add(c.primitive, landing.root, c.own, landing.low, landing.high);
+    candidates.add(c.primitive, landing.root, c.own, landing.low, landing.high, landing.normal);
   }
   candidates.tidy();
   return candidates;
@@ -141,9 +143,8 @@ void collect_contacts(const World& world, const Ray& ray, const Candidates& cand
     const bool mixed =
         world.primitives[c.primitive].kind == Kind::facet && is_mixed(world, candidates, shape);
     const bool in_shape = mixed ? starts_inside(ray, shape) : !c.root.entering;
-    const bool is_hit = c.primitive == hit.primitive;
-    hit.contacts.push_back({c.primitive, shape, c.root.face, !c.root.entering, in_shape, false,
-                            is_hit ? hit.normal : normal(world, c.primitive, hit.point, c.root.face)});
+    const Vec3 outward = c.primitive == hit.primitive ? hit.normal : c.normal;
+    hit.contacts.push_back({c.primitive, shape, c.root.face, !c.root.entering, in_shape, false, outward});
   }
   // The order in which the search found them must not show.
   std::sort(hit.contacts.begin(), hit.contacts.end(),
@@ -170,6 +171,14 @@ bool falls_away(const World& world, const Contact& contact, const Hit& hit, Vec3
   return ahead < -slack;
 }
 
+/// Does the facet lie behind the surface that the ray starts on, as far as rounding lets tell?
+bool is_behind(const FacetPrimitive& facet, const Contact& contact, const Ray& ray) {
+  const Vec3 away = contact.inside ? -contact.normal : contact.normal;
+  const double highest = std::max(dot(away, facet.a - ray.origin),
+                                  std::max(dot(away, facet.b - ray.origin), dot(away, facet.c - ray.origin)));
+  return highest <= 4 * (ray.origin_error + facet.slack);
+}
+
 /// The first of the surfaces that the ray crosses right where it starts; of a mesh, one that fits the ray's
 /// side of it.
 const Contact* met_at_start(const World& world, const Ray& ray) {
@@ -194,13 +203,17 @@ AtStart at_start(const Contact& contact, Kind kind, Vec3 direction) {
 }
 
 bool is_echo(const World& world, const Ray& ray, std::uint32_t primitive, const Root& root) {
-  if (world.primitives[primitive].kind != Kind::facet || ray.contacts.empty()) return false;
-  if (root.t > root.error + ray.origin_error) return false;
+  if (world.primitives[primitive].kind != Kind::facet) return false;
   const std::uint32_t shape = world.primitives[primitive].shape;
+  const FacetPrimitive& facet = world.facets[world.primitives[primitive].record];
   for (const Contact& contact : ray.contacts) {
     if (contact.shape != shape) continue;
+    if (contact.in_shape != root.entering && !is_behind(facet, contact, ray)) continue;
+    // Until then the ray has not measurably left the facet that it starts on.
+    const double rise = std::fabs(dot(contact.normal, ray.direction));
+    if ((root.t - root.error) * rise > ray.origin_error) continue;
     const Root exactly = land(world, primitive, ray.origin, ray.direction, root).root;
-    return exactly.t <= exactly.error + ray.origin_error && root.entering == contact.in_shape;
+    if ((exactly.t - exactly.error) * rise <= ray.origin_error) return true;
   }
   return false;
 }

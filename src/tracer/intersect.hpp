@@ -58,7 +58,8 @@ inline const Contact* find_contact(const Contacts& contacts, std::uint32_t primi
 }
 
 /// Next to its start a ray that leaves a mesh can only meet those of its facets that fit the side that it is
-/// on: a neighbour across an edge, missed or met by rounding alone, is not crossed a second time.
+/// on, and none that lies behind the surface it leaves: a neighbour across an edge, missed or met by rounding
+/// alone, is not crossed a second time.
 bool is_echo(const World& world, const Ray& ray, std::uint32_t primitive, const Root& root);
 
 /// Is the crossing before the ray has gone `distance`, whatever the surface's own rounding?

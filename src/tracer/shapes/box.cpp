@@ -46,27 +46,31 @@ Side side_crossing(const BoxPrimitive& box, const Local& ray, int axis, bool upp
 
 enum class Answer : std::uint8_t { no, yes, unknown };
 
-/// The part of a ray inside the box, by its sides, and what is known of it. Bounds are those of each side.
+/// The part of a ray inside the box, by its sides, and what is known of it, with a bound for each side.
 class Clip {
  public:
   Clip(const BoxPrimitive& box, const Local& ray) : box_(box), ray_(ray) {
     for (int axis = 0; axis < 3; ++axis) {
       // A direction that may point either way across a pair of sides is left for the end.
-      if (std::fabs(ray.direction[axis]) <= 4 * ray.direction_error[axis]) continue;
+      if (is_doubtful(axis)) continue;
       const bool upwards = ray.direction[axis] > 0;
-      add(side_crossing(box, ray, axis, !upwards), side_crossing(box, ray, axis, upwards));
+      in_[count_] = side_crossing(box, ray, axis, !upwards);
+      out_[count_] = side_crossing(box, ray, axis, upwards);
+      if (in_[count_].t > in_[first_].t) first_ = count_;
+      if (out_[count_].t < out_[last_].t) last_ = count_;
+      ++count_;
     }
   }
 
-  const Side& enter() const { return enter_; }
-  const Side& leave() const { return leave_; }
+  const Side& enter() const { return in_[first_]; }
+  const Side& leave() const { return out_[last_]; }
 
   /// Is the ray inside the box anywhere on its line?
   Answer hits() const {
-    if (enter_.t - enter_.error > leave_.t + leave_.error) return Answer::no;
-    Answer answer = enter_.t + enter_.error < leave_.t - leave_.error ? Answer::yes : Answer::unknown;
+    if (enter().t - enter().error > leave().t + leave().error) return Answer::no;
+    Answer answer = enter().t + enter().error < leave().t - leave().error ? Answer::yes : Answer::unknown;
     for (int axis = 0; axis < 3; ++axis) {
-      if (std::fabs(ray_.direction[axis]) > 4 * ray_.direction_error[axis]) continue;
+      if (!is_doubtful(axis)) continue;
       const Answer within = stays_within(axis);
       if (within == Answer::no) return within;
       if (within == Answer::unknown) answer = within;
@@ -75,22 +79,23 @@ class Clip {
   }
 
   /// Is it certain through which sides?
-  bool knows_faces() const { return !enter_tied_ && !leave_tied_; }
+  bool knows_faces() const {
+    for (int i = 0; i < count_; ++i) {
+      if (i != first_ && !(in_[i].t + in_[i].error < enter().t - enter().error)) return false;
+      if (i != last_ && !(out_[i].t - out_[i].error > leave().t + leave().error)) return false;
+    }
+    return true;
+  }
 
  private:
-  void add(const Side& in, const Side& out) {
-    const bool later = in.t > enter_.t, sooner = out.t < leave_.t;
-    const bool close_in = std::fabs(in.t - enter_.t) <= in.error + enter_.error;
-    const bool close_out = std::fabs(out.t - leave_.t) <= out.error + leave_.error;
-    enter_tied_ = close_in || (enter_tied_ && !later);
-    leave_tied_ = close_out || (leave_tied_ && !sooner);
-    if (later) enter_ = in;
-    if (sooner) leave_ = out;
+  bool is_doubtful(int axis) const {
+    return std::fabs(ray_.direction[axis]) <= 4 * ray_.direction_error[axis];
   }
 
   /// Between the other sides, along a direction that is all but parallel to the sides of `axis`?
   Answer stays_within(int axis) const {
-    const double farthest = std::max(std::fabs(enter_.t) + enter_.error, std::fabs(leave_.t) + leave_.error);
+    const double farthest =
+        std::max(std::fabs(enter().t) + enter().error, std::fabs(leave().t) + leave().error);
     const double drift = (std::fabs(ray_.direction[axis]) + ray_.direction_error[axis]) * farthest;
     const double doubt = ray_.origin_error[axis] + drift * (1 + 4 * k_u);
     const double at = ray_.origin[axis], lo = box_.lo[axis], hi = box_.hi[axis];
@@ -100,8 +105,8 @@ class Clip {
 
   const BoxPrimitive& box_;
   const Local& ray_;
-  Side enter_{-k_infinity, 0, 0}, leave_{k_infinity, 0, 0};
-  bool enter_tied_ = false, leave_tied_ = false;
+  Side in_[3], out_[3];
+  int count_ = 0, first_ = 0, last_ = 0;
 };
 
 bool knows_sign(const Side& side) { return side.error == 0 || std::fabs(side.t) > side.error; }

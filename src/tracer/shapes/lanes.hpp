@@ -140,6 +140,7 @@ LANCER_INLINE Vec3 moved(Vec3 from, Lanes2 v) {
 LANCER_INLINE bool settles(double value, double error, double size = 0) {
   return error <= std::max(std::fabs(value), size) * (k_u / 16);
 }
+LANCER_INLINE bool settles(const Distance& t) { return std::isfinite(t.hi) && settles(t.hi, t.error); }
 /// Are all these errors below the last bits of the components, or of the largest component times 2^-40?
 LANCER_INLINE bool settles(Lanes value, Lanes error) {
   const Lanes size = abs(value);
