@@ -11,9 +11,9 @@
 
 namespace lancer::tracer {
 
-/// A floating-point number of 512 bits, for quotients and roots; its range of exponents is beyond need.
+/// A floating-point number of 192 bits, for quotients and roots; its range of exponents is beyond need.
 using Wide = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<512, boost::multiprecision::digit_base_2>,
+    boost::multiprecision::cpp_bin_float<192, boost::multiprecision::digit_base_2>,
     boost::multiprecision::et_off>;
 
 /// A whole number times a power of two. Every finite double is one, and sums and products of such are exact,
@@ -43,7 +43,7 @@ class Exact {
   friend Exact operator-(const Exact& a, const Exact& b) { return a + -b; }
   friend bool operator<(const Exact& a, const Exact& b) { return (a - b).sign() < 0; }
 
-  /// Rounded to 512 bits.
+  /// Rounded to 192 bits.
   Wide wide() const { return ldexp(Wide(whole_), exponent_); }
 
  private:

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "stress/random.hpp"
 #include "stress/reference/pictures.hpp"
@@ -521,14 +522,16 @@ Named hostile_scripts(int size) {
             lamp + seen());
   }
   for (const char* s : {"1e-150", "1e-100", "1e100", "1e150", "1e-200", "1e200", "1e-290", "1e290"}) {
+    // A facet whose area no number holds is left out.
+    const double size_of_it = std::stod(s);
+    const bool has_area = size_of_it > 1e-160 && size_of_it < 1e152;
     scenes.emplace_back(
         fmt::format("scaled by {}", s),
-        fmt::format("let s = {}\nsphere {{ <0, 0, 0>, s material {{ diffuse 0.7 }} }}\nbox {{ <s, -s, 0>, "
-                    "<1.5 * s, s, s> }}\n"
-                    "facet {{ <-s, -s, 0>, <-2 * s, -s, 0>, <-s, s, s> }}\nplane {{ y, -s }}\nlight {{ at <3 "
-                    "* s, 4 * s, 5 * s> }}\n"
+        fmt::format("let s = {}\nsphere {{ <0, 0, 0>, s material {{ diffuse 0.7 }} }}\n"
+                    "box {{ <s, -s, 0>, <1.5 * s, s, s> }}\n{}plane {{ y, -s }}\n"
+                    "light {{ at <3 * s, 4 * s, 5 * s> }}\n"
                     "view {{ eye <0, 0.5 * s, 5 * s> look <0, -0.1, -1> fov 50 size {}, {} }}\n",
-                    s, size, size));
+                    s, has_area ? "facet { <-s, -s, 0>, <-2 * s, -s, 0>, <-s, s, s> }\n" : "", size, size));
     scenes.emplace_back(fmt::format("a plane of level {}", s),
                         ball + lamp + fmt::format("plane {{ y, -{} }}\n", s) + seen());
     scenes.emplace_back(fmt::format("a lamp at {}", s),

@@ -81,7 +81,7 @@ void check_against_exact(const Surface& surface) {
     int off = 0;
     const int count = for_crossings(surface, distance, [&](Vec3 o, Vec3 d, const Root& root) {
       const Landing quick = land(surface, o, d, root);
-      const Landings exactly = careful(surface, o, d);
+      const Landings exactly = careful(surface, o, d, Detail::places);
       const Landing& truth = exactly.at[root.entering || exactly.count == 1 ? 0 : 1];
       const bool right = exactly.count > 0 && steps(quick.root.t, truth.root.t) <= 1 &&
                          within_an_ulp(quick.point, truth.point) && within_an_ulp(quick.normal, truth.normal);

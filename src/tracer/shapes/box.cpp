@@ -123,8 +123,9 @@ void set_slack(const BoxPrimitive& box, Vec3 direction, Landing& landing) {
   spread(depth_slack(box, face), dot(row(box, face / 2), direction), slope_slack(box, face), landing);
 }
 
-[[gnu::noinline, gnu::cold]] Landings careful_landings(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
-  Landings found = careful(box, origin, direction);
+[[gnu::noinline, gnu::cold]] Landings careful_landings(const BoxPrimitive& box, Vec3 origin, Vec3 direction,
+                                                       Detail detail) {
+  Landings found = careful(box, origin, direction, detail);
   for (Landing& landing : found.at) set_slack(box, direction, landing);
   return found;
 }
@@ -215,7 +216,7 @@ Roots roots_at(const BoxPrimitive& box, const Side& in, const Side& out, Vec3 ow
   if (hits == Answer::yes && clip.knows_faces() && knows_sign(in) && knows_sign(out)) {
     return roots_at(box, in, out, ray.direction);
   }
-  return careful_landings(box, probe.origin, probe.direction).roots();
+  return careful_landings(box, probe.origin, probe.direction, Detail::distances).roots();
 }
 
 }  // namespace
@@ -253,7 +254,7 @@ Root exit(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
   if (!found || decide(pairs, in, out) != Answer::yes || !(out.t > 0)) {
     const Clip clip(box, ray);
     if (!clip.knows_faces()) {
-      const Landings exactly = careful_landings(box, origin, direction);
+      const Landings exactly = careful_landings(box, origin, direction, Detail::places);
       if (exactly.count == 2 && exactly.at[1].root.t > 0) return exactly.at[1].root;
     }
     out = clip.leave();
@@ -271,7 +272,7 @@ Landing land(const BoxPrimitive& box, Vec3 origin, Vec3 direction, const Root& r
     set_slack(box, direction, landing);
     return landing;
   }
-  const Landings exactly = careful_landings(box, origin, direction);
+  const Landings exactly = careful_landings(box, origin, direction, Detail::places);
   const Landing& found = exactly.at[root.entering ? 0 : 1];
   if (exactly.count == 2 && found.root.t > 0) {
     landing = found;

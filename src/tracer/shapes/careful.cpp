@@ -21,13 +21,15 @@ WideVec place(const ExactVec& o, const ExactVec& d, const Wide& t) {
   const auto along = [&](const Exact& from, const Exact& way) {
     const Wide start = from.wide(), moved = way.wide() * t;
     const Wide sum = start + moved;
-    return abs(sum) < ldexp(abs(start) + abs(moved), -400) ? Wide(0) : sum;
+    return abs(sum) < ldexp(abs(start) + abs(moved), -150) ? Wide(0) : sum;
   };
   return {along(o.x, d.x), along(o.y, d.y), along(o.z, d.z)};
 }
 
-Root bare_root(const Wide& distance, bool entering, int face = 0) {
-  return {distance.convert_to<double>(), 0, entering, false, static_cast<std::uint8_t>(face)};
+Landing bare_landing(const Wide& t, bool entering, Vec3 origin, Vec3 direction, int face = 0) {
+  const double distance = t.convert_to<double>();
+  const Root root{distance, 0, entering, false, static_cast<std::uint8_t>(face)};
+  return {root, 0, 0, origin + direction * distance, {}};
 }
 
 /// The roots of a t^2 + 2 b t + c in ascending order, without cancellation; false: none.
@@ -53,16 +55,20 @@ struct ExactPlane {
   Exact depth(const ExactVec& p) const { return level - dot(n, p - at); }
 };
 
-Landings meet(const ExactPlane& plane, Vec3 origin, Vec3 direction, bool flipped) {
+Landings meet(const ExactPlane& plane, Vec3 origin, Vec3 direction, bool flipped, Detail detail) {
   const ExactVec o = exact(origin), d = exact(direction);
   const Exact slope = dot(plane.n, d);
   if (slope.sign() == 0) return {};
   const bool entering = (slope.sign() < 0) != flipped;
   const Exact depth = plane.depth(o);
-  if (depth.sign() == 0) return {1, {Landing{Root{0, 0, entering}, 0, 0, origin, {}}, {}}};
+  if (depth.sign() == 0) return {1, {bare_landing(0, entering, origin, direction), {}}};
   const Wide t = depth.wide() / slope.wide();
-  const Vec3 n = unit(wide(plane.n));
-  const Landing landing{bare_root(t, entering), 0, 0, rounded(place(o, d, t)), flipped ? -n : n};
+  Landing landing = bare_landing(t, entering, origin, direction);
+  if (detail == Detail::places) {
+    landing.point = rounded(place(o, d, t));
+    const Vec3 n = unit(wide(plane.n));
+    landing.normal = flipped ? -n : n;
+  }
   return {1, {landing, {}}};
 }
 
@@ -111,7 +117,7 @@ int out_of(const Exact& lo, const Exact& value, const Exact& hi) {
 
 }  // namespace
 
-Landings careful(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
+Landings careful(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, Detail detail) {
   if (!is_finite(origin, direction)) return {};
   const ExactVec d = exact(direction), f = exact(origin) - exact(sphere.center);
   const Exact r = sphere.radius;
@@ -119,13 +125,15 @@ Landings careful(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
   if (!solve(dot(d, d), dot(f, d), dot(f, f) - r * r, t[0], t[1])) return {};
   Landings out{2, {}};
   for (std::size_t i = 0; i < 2; ++i) {
-    const WideVec normal = place(f, d, t[i]) * (Wide(1) / r.wide());
-    out.at[i] = {bare_root(t[i], i == 0), 0, 0, rounded(place(exact(origin), d, t[i])), rounded(normal)};
+    out.at[i] = bare_landing(t[i], i == 0, origin, direction);
+    if (detail == Detail::distances) continue;
+    out.at[i].point = rounded(place(exact(origin), d, t[i]));
+    out.at[i].normal = rounded(place(f, d, t[i]) * (Wide(1) / r.wide()));
   }
   return out;
 }
 
-Landings careful(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction) {
+Landings careful(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction, Detail detail) {
   if (!is_finite(origin, direction)) return {};
   const ExactVec d = exact(direction), offset = exact(origin) - exact(e.center);
   const ExactVec rows[3] = {exact(e.to_own[0]), exact(e.to_own[1]), exact(e.to_own[2])};
@@ -137,19 +145,21 @@ Landings careful(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction) {
   if (!solve(dot(h, h), dot(g, h), dot(g, g) - Exact(1), t[0], t[1])) return {};
   Landings out{2, {}};
   for (std::size_t i = 0; i < 2; ++i) {
+    out.at[i] = bare_landing(t[i], i == 0, origin, direction);
+    if (detail == Detail::distances) continue;
     const WideVec w = place(g, h, t[i]);
-    const WideVec normal = wide(rows[0]) * w.x + wide(rows[1]) * w.y + wide(rows[2]) * w.z;
-    out.at[i] = {bare_root(t[i], i == 0), 0, 0, rounded(place(exact(origin), d, t[i])), unit(normal)};
+    out.at[i].point = rounded(place(exact(origin), d, t[i]));
+    out.at[i].normal = unit(wide(rows[0]) * w.x + wide(rows[1]) * w.y + wide(rows[2]) * w.z);
   }
   return out;
 }
 
-Landings careful(const PlanePrimitive& plane, Vec3 origin, Vec3 direction) {
+Landings careful(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Detail detail) {
   if (!is_finite(origin, direction)) return {};
-  return meet({exact(plane.normal), plane.level, exact(plane.point)}, origin, direction, false);
+  return meet({exact(plane.normal), plane.level, exact(plane.point)}, origin, direction, false, detail);
 }
 
-Landings careful(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
+Landings careful(const BoxPrimitive& box, Vec3 origin, Vec3 direction, Detail detail) {
   if (!is_finite(origin, direction)) return {};
   const ExactVec o = exact(origin), d = exact(direction);
   Side side[2];
@@ -157,20 +167,22 @@ Landings careful(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
   Landings out{2, {}};
   for (std::size_t i = 0; i < 2; ++i) {
     const Wide t = side[i].depth.wide() / side[i].slope.wide();
-    const Vec3 normal = unit(wide(exact(row(box, side[i].face / 2))));
-    out.at[i] = {bare_root(t, i == 0, side[i].face), 0, 0, rounded(place(o, d, t)),
-                 side[i].face % 2 == 0 ? -normal : normal};
+    out.at[i] = bare_landing(t, i == 0, origin, direction, side[i].face);
+    if (detail == Detail::distances) continue;
+    out.at[i].point = rounded(place(o, d, t));
+    const Vec3 n = unit(wide(exact(row(box, side[i].face / 2))));
+    out.at[i].normal = side[i].face % 2 == 0 ? -n : n;
   }
   return out;
 }
 
-Landings careful(const FacetPrimitive& facet, Vec3 origin, Vec3 direction) {
+Landings careful(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, Detail detail) {
   if (!is_finite(origin, direction)) return {};
   const ExactVec o = exact(origin), d = exact(direction);
   const ExactVec a = exact(facet.a) - o, b = exact(facet.b) - o, c = exact(facet.c) - o;
   const int u = dot(d, cross(b, c)).sign(), v = dot(d, cross(c, a)).sign(), w = dot(d, cross(a, b)).sign();
   if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return {};
-  return meet({cross(b - a, c - a), 0.0, exact(facet.a)}, origin, direction, facet.flipped);
+  return meet({cross(b - a, c - a), 0.0, exact(facet.a)}, origin, direction, facet.flipped, detail);
 }
 
 int careful_side(const SpherePrimitive& sphere, Vec3 p) {

@@ -11,12 +11,16 @@
 
 namespace lancer::tracer {
 
-Landings careful(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction);
-Landings careful(const EllipsoidPrimitive& ellipsoid, Vec3 origin, Vec3 direction);
-Landings careful(const PlanePrimitive& plane, Vec3 origin, Vec3 direction);
+/// Which surface is crossed where in the order of the ray is exact in any case; `distances` leaves the points
+/// rough and the normals out.
+enum class Detail : std::uint8_t { distances, places };
+
+Landings careful(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, Detail detail);
+Landings careful(const EllipsoidPrimitive& ellipsoid, Vec3 origin, Vec3 direction, Detail detail);
+Landings careful(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Detail detail);
 /// Of two sides that the ray crosses at the same distance, that of the lower axis.
-Landings careful(const BoxPrimitive& box, Vec3 origin, Vec3 direction);
-Landings careful(const FacetPrimitive& facet, Vec3 origin, Vec3 direction);
+Landings careful(const BoxPrimitive& box, Vec3 origin, Vec3 direction, Detail detail);
+Landings careful(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, Detail detail);
 
 /// The sign of side(): -1 inside, 0 exactly on the surface, 1 outside.
 int careful_side(const SpherePrimitive& sphere, Vec3 p);

@@ -31,8 +31,8 @@ void set_slack(const EllipsoidPrimitive& e, Vec3 direction, Landing& landing) {
 }
 
 [[gnu::noinline, gnu::cold]] Landings careful_landings(const EllipsoidPrimitive& e, Vec3 origin,
-                                                       Vec3 direction) {
-  Landings found = careful(e, origin, direction);
+                                                       Vec3 direction, Detail detail) {
+  Landings found = careful(e, origin, direction, detail);
   for (Landing& landing : found.at) set_slack(e, direction, landing);
   return found;
 }
@@ -59,7 +59,7 @@ Roots roots(const EllipsoidPrimitive& e, const Probe& probe) {
       return {2, {Root{near, error, true}, Root{far, error, false}}};
     }
   }
-  return careful_landings(e, probe.origin, probe.direction).roots();
+  return careful_landings(e, probe.origin, probe.direction, Detail::distances).roots();
 }
 
 Root exit(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction) {
@@ -76,7 +76,7 @@ Landing land(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction, const Roo
     set_slack(e, direction, landing);
     return landing;
   }
-  const Landings exactly = careful_landings(e, origin, direction);
+  const Landings exactly = careful_landings(e, origin, direction, Detail::places);
   const Landing& found = exactly.at[root.entering ? 0 : 1];
   if (exactly.count == 2 && found.root.t > 0) {
     landing = found;

@@ -81,8 +81,9 @@ void set_slack(const FacetPrimitive& f, Vec3 origin, Vec3 direction, Landing& la
   spread(depth_slack(f, origin), lancer::dot(f.normal, direction), k_slope_slack, landing);
 }
 
-[[gnu::noinline, gnu::cold]] Landings careful_landings(const FacetPrimitive& f, Vec3 origin, Vec3 direction) {
-  Landings found = careful(f, origin, direction);
+[[gnu::noinline, gnu::cold]] Landings careful_landings(const FacetPrimitive& f, Vec3 origin, Vec3 direction,
+                                                       Detail detail) {
+  Landings found = careful(f, origin, direction, detail);
   set_slack(f, origin, direction, found.at[0]);
   return found;
 }
@@ -98,7 +99,7 @@ Roots roots(const FacetPrimitive& facet, const Probe& probe) {
     const Root root = plane_crossing(facet, probe, (verdict.determinant > 0) != facet.flipped);
     if (std::fabs(root.t) > root.error) return {1, {root, {}}};
   }
-  return careful_landings(facet, probe.origin, probe.direction).roots();
+  return careful_landings(facet, probe.origin, probe.direction, Detail::distances).roots();
 }
 
 Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root) {
@@ -108,7 +109,7 @@ Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Roo
     set_slack(facet, origin, direction, landing);
     return landing;
   }
-  const Landings exactly = careful_landings(facet, origin, direction);
+  const Landings exactly = careful_landings(facet, origin, direction, Detail::places);
   if (exactly.count == 1 && exactly.at[0].root.t > 0) {
     landing = exactly.at[0];
     snap({facet.normal, 0, facet.a}, landing.point);

@@ -23,8 +23,8 @@ void set_slack(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Landing
          landing);
 }
 
-Landings careful_landings(const PlanePrimitive& plane, Vec3 origin, Vec3 direction) {
-  Landings found = careful(plane, origin, direction);
+Landings careful_landings(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Detail detail) {
+  Landings found = careful(plane, origin, direction, detail);
   set_slack(plane, origin, direction, found.at[0]);
   return found;
 }
@@ -46,7 +46,7 @@ Roots roots_with(const PlanePrimitive& plane, Bounded slope, Bounded depth, doub
   const Bounded depth = depth_below(plane, probe.origin);
   if (slope.value == 0 && slope.error == 0) return {};
   if (knows_sign(slope) && knows_sign(depth)) return roots_with(plane, slope, depth, distance);
-  return careful_landings(plane, probe.origin, probe.direction).roots();
+  return careful_landings(plane, probe.origin, probe.direction, Detail::distances).roots();
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Roo
     set_slack(plane, origin, direction, landing);
     return landing;
   }
-  const Landings exactly = careful_landings(plane, origin, direction);
+  const Landings exactly = careful_landings(plane, origin, direction, Detail::places);
   if (exactly.count == 1 && exactly.at[0].root.t > 0) {
     landing = exactly.at[0];
     snap(plane_of(plane), landing.point);

@@ -11,8 +11,8 @@ void set_slack(const SpherePrimitive& sphere, double half_chord, Landing& landin
 }
 
 [[gnu::noinline, gnu::cold]] Landings careful_landings(const SpherePrimitive& sphere, Vec3 origin,
-                                                       Vec3 direction) {
-  Landings found = careful(sphere, origin, direction);
+                                                       Vec3 direction, Detail detail) {
+  Landings found = careful(sphere, origin, direction, detail);
   for (Landing& landing : found.at)
     set_slack(sphere, sphere.radius * std::fabs(dot(landing.normal, direction)), landing);
   return found;
@@ -39,7 +39,7 @@ Roots roots(const SpherePrimitive& sphere, const Probe& probe) {
       return {2, {Root{near, error, true}, Root{far, error, false}}};
     }
   }
-  return careful_landings(sphere, probe.origin, probe.direction).roots();
+  return careful_landings(sphere, probe.origin, probe.direction, Detail::distances).roots();
 }
 
 Root exit(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
@@ -55,7 +55,7 @@ Landing land(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, const R
     set_slack(sphere, sphere.radius * std::fabs(dot(landing.normal, direction)), landing);
     return landing;
   }
-  const Landings exactly = careful_landings(sphere, origin, direction);
+  const Landings exactly = careful_landings(sphere, origin, direction, Detail::places);
   const Landing& found = exactly.at[root.entering ? 0 : 1];
   if (exactly.count == 2 && found.root.t > 0) {
     landing = found;

@@ -2,6 +2,7 @@
 // a mask of the pixels whose truth hangs on no more than rounding. For comparing ray tracers with.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <bit>
 #include <cstdio>
 #include <fmt/format.h>
@@ -26,6 +27,7 @@ struct Wish {
   double limit = 1e-7;
   int columns = 0, rows = 0;
   double x = 0.5, y = 0.5;
+  bool reversed = false;
 };
 
 Result render(const scene::Scene& scene, const scene::View& view, const Wish& wish) {
@@ -81,6 +83,7 @@ int run(int argc, char** argv) {
   app.add_option("--rows", wish.rows, "In place of the view's");
   app.add_option("--pixel-x", wish.x, "Where a pixel is looked at, from its left edge; 0.5 is its centre");
   app.add_option("--pixel-y", wish.y, "Where a pixel is looked at, from its upper edge");
+  app.add_flag("--reversed", wish.reversed, "Coincident surfaces show the object that was added last");
   CLI11_PARSE(app, argc, argv);
   test::FolderHost host;
   session::Session session(host);
@@ -89,10 +92,12 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "{}{}\n", to_text(loaded.diagnostics, session.sources()), loaded.problem);
     return 1;
   }
+  scene::Scene scene = session.scene();
+  if (wish.reversed) std::reverse(scene.shapes.begin(), scene.shapes.end());
   scene::View view = session.views().front();
   if (wish.columns > 0) view.columns = wish.columns;
   if (wish.rows > 0) view.rows = wish.rows;
-  const Result result = render(session.scene(), view, wish);
+  const Result result = render(scene, view, wish);
   if (!write_pfm(result, wish.picture) || (!wish.mask.empty() && !write_mask(result, wish.mask))) {
     fmt::print(stderr, "cannot write {} or {}\n", wish.picture, wish.mask);
     return 3;
