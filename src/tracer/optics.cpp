@@ -19,8 +19,14 @@ Angles angles(Vec3 d, Vec3 n, double from, double to) {
   Angles a;
   a.cos_in = std::clamp(-dot(d, n), 0.0, 1.0);
   a.along = d + n * a.cos_in;
-  const double sine = from * std::sqrt(dot(a.along, a.along));
-  a.scaled_square = (to - sine) * (to + sine);
+  // to^2 - from^2 sin^2 by whichever of the two is the smaller and so the better known.
+  if (a.cos_in < 0.7) {
+    const double cosine = from * a.cos_in;
+    a.scaled_square = (to - from) * (to + from) + cosine * cosine;
+  } else {
+    const double sine = from * std::sqrt(dot(a.along, a.along));
+    a.scaled_square = (to - sine) * (to + sine);
+  }
   return a;
 }
 

@@ -117,10 +117,8 @@ void add_facet(World& world, std::uint32_t shape, const std::array<Vec3, 3>& cor
   facet.flipped = determinant(map) < 0;
   facet.face = face;
   for (const Vec3 corner : corners) facet.slack = std::fmax(facet.slack, image_error(map, corner));
-  if (max_abs(accurate_cross(facet.b - facet.a, facet.c - facet.a)) > 0) {
-    facet.normal = normal_of_corners(facet);
-    append(world, world.facets, facet, Kind::facet, shape);
-  }
+  facet.normal = normal_of_corners(facet);
+  if (max_abs(facet.normal) > 0) append(world, world.facets, facet, Kind::facet, shape);
 }
 
 void add_mesh(World& world, std::uint32_t shape, const scene::Mesh& mesh, const Affine& map) {

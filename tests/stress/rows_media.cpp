@@ -265,7 +265,7 @@ Outcome critical(const Settings& settings) {
   measure.in_band = all.in_band;
   out.measures.push_back(measure);
   out.limits = {{"wrong about total reflection", static_cast<double>(all.wrong - all.in_band), 0},
-                {"reflectance beyond the band", all.reflectance, 1e-14},
+                {"reflectance beyond the band", all.reflectance, 1e-15},
                 {"direction beyond the band", all.direction, 4e-16}};
   return out;
 }
@@ -522,16 +522,14 @@ Named hostile_scripts(int size) {
             lamp + seen());
   }
   for (const char* s : {"1e-150", "1e-100", "1e100", "1e150", "1e-200", "1e200", "1e-290", "1e290"}) {
-    // A facet whose area no number holds is left out.
-    const double size_of_it = std::stod(s);
-    const bool has_area = size_of_it > 1e-160 && size_of_it < 1e152;
     scenes.emplace_back(
         fmt::format("scaled by {}", s),
         fmt::format("let s = {}\nsphere {{ <0, 0, 0>, s material {{ diffuse 0.7 }} }}\n"
-                    "box {{ <s, -s, 0>, <1.5 * s, s, s> }}\n{}plane {{ y, -s }}\n"
+                    "box {{ <s, -s, 0>, <1.5 * s, s, s> }}\nplane {{ y, -s }}\n"
+                    "facet {{ <-s, -s, 0>, <-2 * s, -s, 0>, <-s, s, s> }}\n"
                     "light {{ at <3 * s, 4 * s, 5 * s> }}\n"
                     "view {{ eye <0, 0.5 * s, 5 * s> look <0, -0.1, -1> fov 50 size {}, {} }}\n",
-                    s, has_area ? "facet { <-s, -s, 0>, <-2 * s, -s, 0>, <-s, s, s> }\n" : "", size, size));
+                    s, size, size));
     scenes.emplace_back(fmt::format("a plane of level {}", s),
                         ball + lamp + fmt::format("plane {{ y, -{} }}\n", s) + seen());
     scenes.emplace_back(fmt::format("a lamp at {}", s),

@@ -185,6 +185,11 @@ Landings careful(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, Detai
   return meet({cross(b - a, c - a), 0.0, exact(facet.a)}, origin, direction, facet.flipped, detail);
 }
 
+bool careful_has_area(const FacetPrimitive& facet) {
+  const ExactVec n = cross(exact(facet.b) - exact(facet.a), exact(facet.c) - exact(facet.a));
+  return n.x.sign() != 0 || n.y.sign() != 0 || n.z.sign() != 0;
+}
+
 int careful_side(const SpherePrimitive& sphere, Vec3 p) {
   const ExactVec f = exact(p) - exact(sphere.center);
   const Exact r = sphere.radius;

@@ -22,6 +22,9 @@ Landings careful(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Detai
 Landings careful(const BoxPrimitive& box, Vec3 origin, Vec3 direction, Detail detail);
 Landings careful(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, Detail detail);
 
+/// Are the corners not on a line?
+bool careful_has_area(const FacetPrimitive& facet);
+
 /// The sign of side(): -1 inside, 0 exactly on the surface, 1 outside.
 int careful_side(const SpherePrimitive& sphere, Vec3 p);
 int careful_side(const EllipsoidPrimitive& ellipsoid, Vec3 p);

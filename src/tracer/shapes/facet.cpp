@@ -122,8 +122,13 @@ Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Roo
 }
 
 Vec3 normal_of_corners(const FacetPrimitive& facet) {
-  const Vec3 n = unit(cross(exact_difference(facet.b, facet.a), exact_difference(facet.c, facet.a)));
-  return facet.flipped ? -n : n;
+  const Triple2 e1 = near_one(exact_difference(facet.b, facet.a));
+  const Triple2 e2 = near_one(exact_difference(facet.c, facet.a));
+  const Triple2 n = cross(e1, e2);
+  const bool certain = max_abs(rounded(n)) > 0x1p-90;
+  if (!certain && !careful_has_area(facet)) return {};
+  const Vec3 outward = unit(n);
+  return facet.flipped ? -outward : outward;
 }
 
 Vec3 project(const FacetPrimitive& facet, Vec3 p) {

@@ -27,7 +27,7 @@ struct Barycentric {
 Roots roots(const FacetPrimitive& facet, const Probe& probe);
 Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root);
 inline Vec3 normal(const FacetPrimitive& facet) { return facet.normal; }
-/// The outward unit normal of the corners, to the last bit.
+/// The outward unit normal of the corners, to the last bit; 0 where they are on a line.
 Vec3 normal_of_corners(const FacetPrimitive& facet);
 Vec3 project(const FacetPrimitive& facet, Vec3 p);
 /// Of a point on the facet; within [0, 1].

@@ -13,11 +13,18 @@ double quotient(DoubleDouble a, DoubleDouble b) {
 
 }  // namespace
 
-Vec3 unit(const Triple2& v) {
-  const int exponent = std::ilogb(max_abs(rounded(v)));
-  Triple2 n;
+Triple2 near_one(const Triple2& v) {
+  const double size = max_abs(rounded(v));
+  if (!(size > 0)) return v;
+  const int exponent = std::ilogb(size);
+  Triple2 scaled;
   for (std::size_t i = 0; i < 3; ++i)
-    n[i] = {std::scalbn(v[i].hi, -exponent), std::scalbn(v[i].lo, -exponent)};
+    scaled[i] = {std::scalbn(v[i].hi, -exponent), std::scalbn(v[i].lo, -exponent)};
+  return scaled;
+}
+
+Vec3 unit(const Triple2& v) {
+  const Triple2 n = near_one(v);
   Accurate square;
   for (const DoubleDouble& x : n) {
     square.add_product(x.hi, x.hi);

@@ -46,6 +46,9 @@ inline Triple2 exact_difference(Vec3 a, Vec3 b) {
 }
 inline Vec3 rounded(const Triple2& v) { return {v[0].hi, v[1].hi, v[2].hi}; }
 
+/// v times the power of two that brings its largest component next to 1; 0 stays 0.
+Triple2 near_one(const Triple2& v);
+
 /// v / |v|, each component within 0.51 ulp.
 Vec3 unit(const Triple2& v);
 inline Vec3 unit(Vec3 v) {

@@ -30,7 +30,7 @@ double side(const SpherePrimitive& sphere, Vec3 p);
 /// radius along the ray: by shift / cosine, but sqrt(2 shift radius) at most.
 inline double along_ray(double shift, double radius, double half_chord) {
   const double rise = shift * radius;
-  const bool steep = 2 * half_chord * half_chord >= rise;
+  const bool steep = half_chord > 0 && 2 * half_chord * half_chord >= rise;
   return shift + (steep ? rise / half_chord : std::sqrt(2 * rise));
 }
 
