@@ -97,7 +97,8 @@ Candidates settled(const World& world, const Ray& ray, const Candidates& quick) 
   Candidates candidates;
   for (const Candidate& c : quick) {
     const Landing landing = land(world, c.primitive, ray.origin, ray.direction, c.root);
-    candidates.add(c.primitive, landing.root, c.own, landing.low, landing.high, landing.normal);
+    const Span span = landing.span();
+    candidates.add(c.primitive, landing.root, c.own, span.low, span.high, landing.normal);
   }
   candidates.tidy();
   return candidates;
@@ -255,7 +256,7 @@ bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
     hit.point = project(world, hit.primitive, ray.origin + ray.direction * hit.root.t, hit.root.face);
     hit.normal = normal(world, hit.primitive, hit.point, hit.root.face);
   }
-  const double since = hit.root.t - std::max(std::max(landing.low, first.own.enter), 0.0);
+  const double since = hit.root.t - std::max(first.earliest, 0.0);
   hit.root.error = std::min(hit.root.error, std::max(since, candidates.limit() - hit.root.t));
   hit.point_error = hit.root.error + 4 * k_u * max_abs(hit.point);
   collect_contacts(world, ray, candidates, hit);

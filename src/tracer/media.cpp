@@ -24,7 +24,7 @@ Landing way_out(const World& world, std::uint32_t shape, const Probe& probe, Sta
   };
   const std::uint32_t first = world.first_primitive[shape], last = world.first_primitive[shape + 1];
   const auto exactly = [&] {
-    return std::isinf(nearest.t) ? Landing{nearest, k_infinity, k_infinity, {}, {}}
+    return std::isinf(nearest.t) ? Landing{nearest, 0, {}, {}}
                                  : land(world, through, probe.origin, probe.direction, nearest);
   };
   if (last - first == 1) {
@@ -97,7 +97,7 @@ OpenSolids open_at(const World& world, const std::vector<Surrounding>& around, V
   // Coincident surfaces differ by no more than rounding, which must not decide.
   for (auto first = ways.begin(); first != ways.end();) {
     auto last = first + 1;
-    while (last != ways.end() && last->out.high >= (last - 1)->out.low) ++last;
+    while (last != ways.end() && last->out.span().high >= (last - 1)->out.span().low) ++last;
     std::sort(first, last, [](const Way& a, const Way& b) { return a.shape < b.shape; });
     first = last;
   }

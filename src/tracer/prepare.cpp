@@ -61,6 +61,14 @@ void add_sphere(World& world, std::uint32_t shape, const scene::Sphere& sphere, 
   append(world, world.ellipsoids, ellipsoid, Kind::ellipsoid, shape);
 }
 
+/// The axis that the normal lies along, where the level is 0; else -1.
+int axis_across(Vec3 normal, double level) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (level == 0 && normal[(axis + 1) % 3] == 0 && normal[(axis + 2) % 3] == 0) return axis;
+  }
+  return -1;
+}
+
 void add_plane(World& world, std::uint32_t shape, const scene::Plane& plane, const Transform& transform) {
   const Affine& map = transform.to_world;
   const bool placed = !is_identity(map);
@@ -71,10 +79,10 @@ void add_plane(World& world, std::uint32_t shape, const scene::Plane& plane, con
   n = {std::scalbn(n.x, -exponent), std::scalbn(n.y, -exponent), std::scalbn(n.z, -exponent)};
   level = std::scalbn(level, -exponent);
   const double slack = image_error(map, plane.point) + 4 * k_u * std::fabs(level) / length(n);
-  append(
-      world, world.planes,
-      PlanePrimitive{map.point(plane.point), n, level, unit(n), sum_abs(n), slack, (placed ? 16 : 2) * k_u},
-      Kind::plane, shape);
+  const PlanePrimitive placed_plane{
+      map.point(plane.point), n, level, unit(n), sum_abs(n), slack, (placed ? 16 : 2) * k_u,
+      axis_across(n, level)};
+  append(world, world.planes, placed_plane, Kind::plane, shape);
 }
 
 void add_box(World& world, std::uint32_t shape, const scene::Box& box, const Transform& transform) {

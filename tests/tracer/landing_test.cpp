@@ -126,7 +126,7 @@ TEST_CASE("landing: processors with and without AVX2 give the same bits", "[land
   const auto check = [](const auto& surface, const auto& tested) {
     int different = 0, settled = 0;
     for_crossings(tested, 4, [&](Vec3 o, Vec3 d, const Root& root) {
-      Landing a{root, 0, 0, {}, {}}, b{root, 0, 0, {}, {}};
+      Landing a{root, 0, {}, {}}, b{root, 0, {}, {}};
       const bool first = baseline::land(surface, o, d, a), second = avx2::land(surface, o, d, b);
       different += first == second && same(a, b) ? 0 : 1;
       settled += first ? 1 : 0;

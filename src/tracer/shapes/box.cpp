@@ -120,7 +120,7 @@ double slope_slack(const BoxPrimitive& box, int face) {
 
 void set_slack(const BoxPrimitive& box, Vec3 direction, Landing& landing) {
   const int face = landing.root.face;
-  spread(depth_slack(box, face), dot(row(box, face / 2), direction), slope_slack(box, face), landing);
+  set_bounds(depth_slack(box, face), dot(row(box, face / 2), direction), slope_slack(box, face), landing);
 }
 
 [[gnu::noinline, gnu::cold]] Landings careful_landings(const BoxPrimitive& box, Vec3 origin, Vec3 direction,
@@ -265,10 +265,13 @@ Root exit(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
 }
 
 Landing land(const BoxPrimitive& box, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, 0, 0, {}, normal(box, root.face)};
+  Landing landing{root, 0, {}, normal(box, root.face)};
   const Planar plane = plane_of(box, root.face);
-  if (land_quickly(plane, origin, direction, landing) && landing.root.t > 0) {
-    snap(plane, landing.point);
+  const int axis = root.face / 2;
+  const bool settled = box.aligned ? land_quickly(Across{axis, plane.at[axis]}, origin, direction, landing)
+                                   : land_quickly(plane, origin, direction, landing);
+  if (settled && landing.root.t > 0) {
+    if (!box.aligned) snap(plane, landing.point);
     set_slack(box, direction, landing);
     return landing;
   }

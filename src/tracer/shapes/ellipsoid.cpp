@@ -27,7 +27,7 @@ void set_slack(const EllipsoidPrimitive& e, Vec3 direction, Landing& landing) {
   const Vec3 w = apply(e.to_own, landing.point - e.center), own_direction = apply(e.to_own, direction);
   const double speed = std::sqrt(dot(own_direction, own_direction));
   const double half_chord = std::fabs(dot(w, own_direction)) / speed;
-  landing.spread(along_ray(e.own_slack, 1, half_chord) / speed + 2 * k_u * std::fabs(landing.root.t));
+  landing.root.error = along_ray(e.own_slack, 1, half_chord) / speed + 2 * k_u * std::fabs(landing.root.t);
 }
 
 [[gnu::noinline, gnu::cold]] Landings careful_landings(const EllipsoidPrimitive& e, Vec3 origin,
@@ -71,7 +71,7 @@ Root exit(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction) {
 }
 
 Landing land(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, 0, 0, {}, {}};
+  Landing landing{root, 0, {}, {}};
   if (land_quickly(e, origin, direction, landing)) {
     set_slack(e, direction, landing);
     return landing;
@@ -83,7 +83,6 @@ Landing land(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction, const Roo
     return landing;
   }
   landing.root = root;
-  landing.spread(root.error);
   landing.point = project(e, origin + direction * root.t);
   landing.normal = normal(e, landing.point);
   return landing;

@@ -78,7 +78,7 @@ Root plane_crossing(const FacetPrimitive& f, const Probe& probe, bool entering) 
 }
 
 void set_slack(const FacetPrimitive& f, Vec3 origin, Vec3 direction, Landing& landing) {
-  spread(depth_slack(f, origin), lancer::dot(f.normal, direction), k_slope_slack, landing);
+  set_bounds(depth_slack(f, origin), lancer::dot(f.normal, direction), k_slope_slack, landing);
 }
 
 [[gnu::noinline, gnu::cold]] Landings careful_landings(const FacetPrimitive& f, Vec3 origin, Vec3 direction,
@@ -103,7 +103,7 @@ Roots roots(const FacetPrimitive& facet, const Probe& probe) {
 }
 
 Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, 0, 0, {}, facet.normal};
+  Landing landing{root, 0, {}, facet.normal};
   if (land_quickly(facet, origin, direction, landing)) {
     snap({facet.normal, 0, facet.a}, landing.point);
     set_slack(facet, origin, direction, landing);

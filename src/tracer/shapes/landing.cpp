@@ -1,5 +1,7 @@
 #include "tracer/shapes/landing.hpp"
 
+#include <limits>
+
 namespace lancer::tracer {
 namespace {
 
@@ -12,6 +14,20 @@ double quotient(DoubleDouble a, DoubleDouble b) {
 }
 
 }  // namespace
+
+Span Landing::span() const {
+  const double far = std::fabs(root.t);
+  Span out{root.t - root.error, root.t + root.error};
+  if (tilt < 1) {
+    out.low -= far * tilt / (1 + tilt);
+    out.high += far * tilt / (1 - tilt);
+  } else {
+    // The ray may be parallel to the surface: all that is known is where it cannot yet have come near it.
+    out.low = std::fmin(std::fmax(0, far - root.error) / (1 + tilt), out.low);
+    out.high = std::numeric_limits<double>::infinity();
+  }
+  return out;
+}
 
 Triple2 near_one(const Triple2& v) {
   const double size = max_abs(rounded(v));

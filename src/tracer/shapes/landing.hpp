@@ -11,23 +11,22 @@
 
 namespace lancer::tracer {
 
+struct Span {
+  double low = 0, high = 0;
+};
+
 /// A crossing with its place. The distance, each coordinate of the point and each component of the normal are
 /// within 1 ulp of those of the ray and the surface as their numbers say; a coordinate far below the point's
 /// largest one, by more than 2^40, within 1 ulp of that many times less.
 struct Landing {
-  Root root;  // its error is that of the surface's own slack
-  // The crossing lies within [low, high], whatever the rounding of the shape's own numbers did to its slope
-  // too. For a ray that all but lies in a surface this is far wider than the error.
-  double low = 0, high = 0;
+  Root root;        // its error is that of the surface's own slack
+  double tilt = 0;  // how far the surface's own rounding may turn it, as a part of its slope along the ray
   Vec3 point;
   Vec3 normal;  // outward, unit length
 
-  /// The distance may be anywhere within `error` of t.
-  void spread(double error) {
-    root.error = error;
-    low = root.t - error;
-    high = root.t + error;
-  }
+  /// Where the crossing may be for the surface's own rounding. For a ray that all but lies in a surface this
+  /// is far wider than the error.
+  Span span() const;
 };
 
 /// None, one or two, in ascending order of distance.

@@ -17,7 +17,7 @@
 
 namespace lancer::tracer::LANCER_TARGET {
 
-/// The three components of a vector, and 0.
+/// The three components of a vector, and one more number.
 using Lanes [[gnu::vector_size(32)]] = double;
 
 /// Sums hi + lo, component by component; lo may be as large as the rounding of what hi was summed from.
@@ -25,11 +25,16 @@ struct Lanes2 {
   Lanes hi, lo;
 };
 
-LANCER_INLINE Lanes lanes(Vec3 v) { return Lanes{v.x, v.y, v.z, 0}; }
+LANCER_INLINE Lanes lanes(Vec3 v, double more = 0) { return Lanes{v.x, v.y, v.z, more}; }
 LANCER_INLINE Lanes lanes(double s) { return Lanes{s, s, s, s}; }
 LANCER_INLINE Vec3 vec(Lanes v) { return {v[0], v[1], v[2]}; }
-LANCER_INLINE Lanes abs(Lanes v) { return Lanes{std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2]), 0}; }
-/// Of the components.
+LANCER_INLINE Lanes abs(Lanes v) {
+  using Bits [[gnu::vector_size(32)]] = long long;
+  constexpr long long k_but_sign = 0x7FFFFFFFFFFFFFFF;
+  return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(v) &
+                                 Bits{k_but_sign, k_but_sign, k_but_sign, k_but_sign});
+}
+/// Of the three components.
 LANCER_INLINE double sum(Lanes v) { return v[0] + v[1] + v[2]; }
 LANCER_INLINE double least(Lanes v) { return std::min(v[0], std::min(v[1], v[2])); }
 
@@ -69,40 +74,22 @@ LANCER_INLINE Sum<T> exact_product(T a, T b) {
 }
 #endif
 
-/// a - b exactly.
-LANCER_INLINE Lanes2 exact_difference(Vec3 a, Vec3 b) {
-  const Sum<Lanes> d = exact_sum(lanes(a), -lanes(b));
+/// a - b exactly, and one more number.
+LANCER_INLINE Lanes2 exact_difference(Vec3 a, Vec3 b, double more = 0) {
+  const Sum<Lanes> d = exact_sum(lanes(a, more), -lanes(b));
   return {d.hi, d.lo};
 }
 
-/// A sum of products as if in twice the precision (Ogita, Rump, Oishi: Dot2).
-struct Total {
-  double high = 0, low = 0;
-
-  LANCER_INLINE void add(double value) {
-    const Sum<double> s = exact_sum(high, value);
-    high = s.hi;
-    low += s.lo;
-  }
-  LANCER_INLINE void add_product(double a, double b) {
-    const Sum<double> product = exact_product(a, b);
-    add(product.hi);
-    low += product.lo;
-  }
-  /// The components of a . b.
-  LANCER_INLINE void add_dot(Lanes2 a, Lanes2 b) {
-    const Sum<Lanes> product = exact_product(a.hi, b.hi);
-    add(product.hi[0]);
-    add(product.hi[1]);
-    add(product.hi[2]);
-    low += sum(product.lo + (a.hi * b.lo + a.lo * b.hi) + a.lo * b.lo);
-  }
-  LANCER_INLINE double value() const { return high + low; }
-  LANCER_INLINE DoubleDouble rounded() const {
-    const Sum<double> s = exact_sum(high, low);
-    return {s.hi, s.lo};
-  }
-};
+/// The sum of the four products a b as if in twice the precision (Ogita, Rump, Oishi: Dot2), off by
+/// 8 u^2 |a| |b| and the rounding of their low parts.
+LANCER_INLINE DoubleDouble total(Lanes2 a, Lanes2 b) {
+  const Sum<Lanes> product = exact_product(a.hi, b.hi);
+  const Lanes low = product.lo + (a.hi * b.lo + a.lo * b.hi) + a.lo * b.lo;
+  const Sum<double> even = exact_sum(product.hi[0], product.hi[2]);
+  const Sum<double> odd = exact_sum(product.hi[1], product.hi[3]);
+  const Sum<double> all = exact_sum(even.hi, odd.hi);
+  return {all.hi, all.lo + (even.lo + odd.lo) + ((low[0] + low[2]) + (low[1] + low[3]))};
+}
 
 /// A distance as an unevaluated sum, and how far it may be off.
 struct Distance {

@@ -26,7 +26,11 @@ inline Root crossing(Bounded depth, Bounded slope, bool entering) {
 
 /// The bounds of a landing on a plane that may be off by `depth_slack` where the ray starts, and whose slope
 /// may be off by `slope_slack`.
-void spread(double depth_slack, double slope, double slope_slack, Landing& landing);
+inline void set_bounds(double depth_slack, double slope, double slope_slack, Landing& landing) {
+  const double steep = std::fabs(1 / slope);
+  landing.root.error = depth_slack * steep + 2 * k_u * std::fabs(landing.root.t);
+  landing.tilt = slope_slack * steep;
+}
 
 /// n . d.
 inline Bounded bounded_dot(Vec3 n, Vec3 d) {

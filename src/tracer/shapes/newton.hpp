@@ -19,11 +19,18 @@ struct Planar {
   Vec3 at;
 };
 
+/// The points x with x[axis] = at.
+struct Across {
+  int axis = 0;
+  double at = 0;
+};
+
 #define LANCER_LANDINGS(TARGET)                                                \
   namespace TARGET {                                                           \
   bool land(const SpherePrimitive&, Vec3 origin, Vec3 direction, Landing&);    \
   bool land(const EllipsoidPrimitive&, Vec3 origin, Vec3 direction, Landing&); \
   bool land(const Planar&, Vec3 origin, Vec3 direction, Landing&);             \
+  bool land(const Across&, Vec3 origin, Vec3 direction, Landing&);             \
   bool land(const FacetPrimitive&, Vec3 origin, Vec3 direction, Landing&);     \
   }
 LANCER_LANDINGS(baseline)

@@ -19,8 +19,8 @@ double depth_slack(const PlanePrimitive& plane, double distance) {
 double slope_slack(const PlanePrimitive& plane) { return plane.size * plane.normal_error; }
 
 void set_slack(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Landing& landing) {
-  spread(depth_slack(plane, sum_abs(origin - plane.point)), dot(plane.normal, direction), slope_slack(plane),
-         landing);
+  set_bounds(depth_slack(plane, sum_abs(origin - plane.point)), dot(plane.normal, direction),
+             slope_slack(plane), landing);
 }
 
 Landings careful_landings(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Detail detail) {
@@ -39,6 +39,18 @@ Roots roots_with(const PlanePrimitive& plane, Bounded slope, Bounded depth, doub
   return {1, {root, {}}};
 }
 
+/// Where the plane lies across an axis, every sign is certain.
+Roots roots_across(const PlanePrimitive& plane, const Probe& probe, double height, double distance) {
+  if (probe.direction[plane.across] == 0) return {};
+  const double inverse = probe.inverse[plane.across];
+  const double t = -height * inverse, steep = std::fabs(inverse);
+  const double slack = plane.slack + plane.normal_error * (distance + 2 * std::fabs(t));
+  const bool entering = std::signbit(inverse) != std::signbit(plane.normal[plane.across]);
+  if (!std::isfinite(t)) return {};
+  return {1,
+          {Root{t, slack * steep + 4 * k_u * std::fabs(t), entering, plane.normal_error * steep > 0.5}, {}}};
+}
+
 /// For the few rays that start all but in the plane, or run all but along it.
 [[gnu::noinline, gnu::cold]] Roots close_roots(const PlanePrimitive& plane, const Probe& probe,
                                                double distance) {
@@ -54,6 +66,7 @@ Roots roots_with(const PlanePrimitive& plane, Bounded slope, Bounded depth, doub
 Roots roots(const PlanePrimitive& plane, const Probe& probe) {
   const Vec3 offset = probe.origin - plane.point;
   const double distance = sum_abs(offset);
+  if (plane.across >= 0) return roots_across(plane, probe, offset[plane.across], distance);
   const Bounded slope{dot(plane.normal, probe.direction), 3 * k_u * plane.size};
   const Bounded depth{plane.level - dot(plane.normal, offset),
                       5 * k_u * (plane.size * distance + std::fabs(plane.level))};
@@ -64,8 +77,13 @@ Roots roots(const PlanePrimitive& plane, const Probe& probe) {
 }
 
 Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, 0, 0, {}, plane.unit_normal};
-  if (land_quickly(plane_of(plane), origin, direction, landing)) {
+  Landing landing{root, 0, {}, plane.unit_normal};
+  if (plane.across >= 0) {
+    if (land_quickly(Across{plane.across, plane.point[plane.across]}, origin, direction, landing)) {
+      set_slack(plane, origin, direction, landing);
+      return landing;
+    }
+  } else if (land_quickly(plane_of(plane), origin, direction, landing)) {
     snap(plane_of(plane), landing.point);
     set_slack(plane, origin, direction, landing);
     return landing;

@@ -14,6 +14,7 @@ struct PlanePrimitive {
   double size = 0;          // the sum of the normal's components' magnitudes
   double slack = 0;         // how far rounding may have moved the surface
   double normal_error = 0;  // relative, of the normal
+  int across = -1;          // the axis that it lies across at the point's own coordinate; -1: none
 };
 
 Roots roots(const PlanePrimitive& plane, const Probe& probe);

@@ -7,7 +7,8 @@ namespace lancer::tracer {
 namespace {
 
 void set_slack(const SpherePrimitive& sphere, double half_chord, Landing& landing) {
-  landing.spread(along_ray(sphere.slack, sphere.radius, half_chord) + 2 * k_u * std::fabs(landing.root.t));
+  landing.root.error =
+      along_ray(sphere.slack, sphere.radius, half_chord) + 2 * k_u * std::fabs(landing.root.t);
 }
 
 [[gnu::noinline, gnu::cold]] Landings careful_landings(const SpherePrimitive& sphere, Vec3 origin,
@@ -50,7 +51,7 @@ Root exit(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
 }
 
 Landing land(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, 0, 0, {}, {}};
+  Landing landing{root, 0, {}, {}};
   if (land_quickly(sphere, origin, direction, landing)) {
     set_slack(sphere, sphere.radius * std::fabs(dot(landing.normal, direction)), landing);
     return landing;
@@ -62,7 +63,6 @@ Landing land(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, const R
     return landing;
   }
   landing.root = root;
-  landing.spread(root.error);
   landing.point = project(sphere, origin + direction * root.t);
   landing.normal = normal(sphere, landing.point);
   return landing;
