@@ -15,8 +15,6 @@ Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Roo
 
 Vec3 project(const PlanePrimitive&, Vec3 p) { return p; }
 
-double side(const PlanePrimitive& plane, Vec3 p) {
-  return dot(plane.normal, p - plane.point) - plane.level;
-}
+double side(const PlanePrimitive& plane, Vec3 p) { return dot(plane.normal, p - plane.point) - plane.level; }
 
 }  // namespace lancer::tracer
