@@ -48,6 +48,15 @@ class Candidates {
     list_.shrink(kept);
   }
 
+  /// All distances were less by `by`.
+  void shift(double by) {
+    limit_ += by;
+    for (Candidate& c : list_) {
+      c.earliest += by;
+      c.own = {c.own.enter + by, c.own.leave + by};
+    }
+  }
+
   const Candidate* begin() const { return list_.begin(); }
   const Candidate* end() const { return list_.end(); }
   std::size_t size() const { return list_.size(); }
@@ -92,15 +101,26 @@ Candidates search(const World& world, const Ray& ray, Stats& stats) {
   return candidates;
 }
 
-/// Where the quick bounds leave several, only what the surfaces' own rounding leaves open.
+/// Where the quick bounds leave several, only what the surfaces' own rounding leaves open. Distances are
+/// compared as what they are more than the least of them, so that their own last digits do not show.
 Candidates settled(const World& world, const Ray& ray, const Candidates& quick) {
-  Candidates candidates;
+  SmallList<Landing, 8> landings;
+  double least = k_infinity;
   for (const Candidate& c : quick) {
-    const Landing landing = land(world, c.primitive, ray.origin, ray.direction, c.root);
-    const Span span = landing.span();
-    candidates.add(c.primitive, landing.root, c.own, span.low, span.high, landing.normal);
+    landings.push_back(land(world, c.primitive, ray.origin, ray.direction, c.root));
+    least = std::min(least, landings.back().root.t);
+  }
+  Candidates candidates;
+  const Landing* landing = landings.begin();
+  for (const Candidate& c : quick) {
+    const double more = (landing->root.t - least) + landing->rest;
+    const Span span = landing->span();
+    const Interval own{c.own.enter - least, c.own.leave - least};
+    candidates.add(c.primitive, landing->root, own, more - span.before, more + span.after, landing->normal);
+    ++landing;
   }
   candidates.tidy();
+  candidates.shift(least);
   return candidates;
 }
 

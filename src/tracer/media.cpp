@@ -24,7 +24,7 @@ Landing way_out(const World& world, std::uint32_t shape, const Probe& probe, Sta
   };
   const std::uint32_t first = world.first_primitive[shape], last = world.first_primitive[shape + 1];
   const auto exactly = [&] {
-    return std::isinf(nearest.t) ? Landing{nearest, 0, {}, {}}
+    return std::isinf(nearest.t) ? Landing{nearest, 0, 0, {}, {}}
                                  : land(world, through, probe.origin, probe.direction, nearest);
   };
   if (last - first == 1) {
@@ -37,6 +37,12 @@ Landing way_out(const World& world, std::uint32_t shape, const Probe& probe, Sta
     return false;
   });
   return exactly();
+}
+
+/// Two ways out, neither of which may be any farther but for the rounding of the surfaces?
+bool may_coincide(const Landing& farther, const Landing& nearer) {
+  if (std::isinf(nearer.root.t)) return true;
+  return gap(farther, nearer) <= farther.span().before + nearer.span().after;
 }
 
 /// Is a ray from a point exactly on the shape's surface about to be inside?
@@ -97,7 +103,7 @@ OpenSolids open_at(const World& world, const std::vector<Surrounding>& around, V
   // Coincident surfaces differ by no more than rounding, which must not decide.
   for (auto first = ways.begin(); first != ways.end();) {
     auto last = first + 1;
-    while (last != ways.end() && last->out.span().high >= (last - 1)->out.span().low) ++last;
+    while (last != ways.end() && may_coincide((last - 1)->out, last->out)) ++last;
     std::sort(first, last, [](const Way& a, const Way& b) { return a.shape < b.shape; });
     first = last;
   }

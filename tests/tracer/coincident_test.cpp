@@ -238,3 +238,27 @@ TEST_CASE("coincident: a ray in a plane sees what it passes, not only the plane"
     CHECK(seen(s, map.point({x, 9, 0}), map.vector({0, -1, 0})).r == 0.5);
   }
 }
+
+TEST_CASE("coincident: planes nearly so part at one clean line, without speckles", "[coincident]") {
+  // Near by the gap is far above rounding, far away below it; in between every column changes its colour
+  // once.
+  for (const double gap : {1e-15, 3e-15, 1e-14, 1e-13, 1e-12}) {
+    for (const double height : {1e-3, 1.0, 1e3}) {
+      Scene s;
+      s.settings.ambient = grey(1);
+      add_plane(s, {0, 0, 0}, {0, 1, 0}, glowing(0.25));
+      add_plane(s, {0, gap * height, 0}, {0, 1, 0}, glowing(0.5));
+      const Rendered out = picture(s, view({0.3 * height, height, 2 * height}, {0.1, -0.31, -1}, 81, 70));
+      int speckled = 0;
+      for (int x = 0; x < 81; ++x) {
+        int changes = 0;
+        for (int y = 1; y < 81; ++y) {
+          changes += out.image.pixel(x, y)[0] != out.image.pixel(x, y - 1)[0] ? 1 : 0;
+        }
+        speckled += changes > 2 ? 1 : 0;  // from the sky to one plane, from that to the other
+      }
+      INFO("gap " << gap << ", height " << height);
+      CHECK(speckled == 0);
+    }
+  }
+}

@@ -54,7 +54,7 @@ bool within_an_ulp(Vec3 a, Vec3 b) {
 }
 
 bool same(const Landing& a, const Landing& b) {
-  return a.root.t == b.root.t && a.point == b.point && a.normal == b.normal;
+  return a.root.t == b.root.t && a.rest == b.rest && a.point == b.point && a.normal == b.normal;
 }
 
 /// Calls check(ray, root) for the crossings of random rays, as the quick test finds them.
@@ -126,7 +126,7 @@ TEST_CASE("landing: processors with and without AVX2 give the same bits", "[land
   const auto check = [](const auto& surface, const auto& tested) {
     int different = 0, settled = 0;
     for_crossings(tested, 4, [&](Vec3 o, Vec3 d, const Root& root) {
-      Landing a{root, 0, {}, {}}, b{root, 0, {}, {}};
+      Landing a{root, 0, 0, {}, {}}, b{root, 0, 0, {}, {}};
       const bool first = baseline::land(surface, o, d, a), second = avx2::land(surface, o, d, b);
       different += first == second && same(a, b) ? 0 : 1;
       settled += first ? 1 : 0;

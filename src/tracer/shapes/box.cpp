@@ -265,7 +265,7 @@ Root exit(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
 }
 
 Landing land(const BoxPrimitive& box, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, 0, {}, normal(box, root.face)};
+  Landing landing{root, 0, 0, {}, normal(box, root.face)};
   const Planar plane = plane_of(box, root.face);
   const int axis = root.face / 2;
   const bool settled = box.aligned ? land_quickly(Across{axis, plane.at[axis]}, origin, direction, landing)

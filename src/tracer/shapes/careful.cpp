@@ -29,7 +29,7 @@ WideVec place(const ExactVec& o, const ExactVec& d, const Wide& t) {
 Landing bare_landing(const Wide& t, bool entering, Vec3 origin, Vec3 direction, int face = 0) {
   const double distance = t.convert_to<double>();
   const Root root{distance, 0, entering, false, static_cast<std::uint8_t>(face)};
-  return {root, 0, origin + direction * distance, {}};
+  return {root, Wide(t - distance).convert_to<double>(), 0, origin + direction * distance, {}};
 }
 
 /// The roots of a t^2 + 2 b t + c in ascending order, without cancellation; false: none.

@@ -71,7 +71,7 @@ Root exit(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction) {
 }
 
 Landing land(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, 0, {}, {}};
+  Landing landing{root, 0, 0, {}, {}};
   if (land_quickly(e, origin, direction, landing)) {
     set_slack(e, direction, landing);
     return landing;

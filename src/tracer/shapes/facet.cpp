@@ -103,7 +103,7 @@ Roots roots(const FacetPrimitive& facet, const Probe& probe) {
 }
 
 Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, 0, {}, facet.normal};
+  Landing landing{root, 0, 0, {}, facet.normal};
   if (land_quickly(facet, origin, direction, landing)) {
     snap({facet.normal, 0, facet.a}, landing.point);
     set_slack(facet, origin, direction, landing);

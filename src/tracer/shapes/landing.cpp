@@ -17,16 +17,10 @@ double quotient(DoubleDouble a, DoubleDouble b) {
 
 Span Landing::span() const {
   const double far = std::fabs(root.t);
-  Span out{root.t - root.error, root.t + root.error};
-  if (tilt < 1) {
-    out.low -= far * tilt / (1 + tilt);
-    out.high += far * tilt / (1 - tilt);
-  } else {
-    // The ray may be parallel to the surface: all that is known is where it cannot yet have come near it.
-    out.low = std::fmin(std::fmax(0, far - root.error) / (1 + tilt), out.low);
-    out.high = std::numeric_limits<double>::infinity();
-  }
-  return out;
+  if (tilt < 1) return {root.error + far * tilt / (1 + tilt), root.error + far * tilt / (1 - tilt)};
+  // The ray may be parallel to the surface: all that is known is where it cannot yet have come near it.
+  const double nearest = std::fmax(0, far - root.error) / (1 + tilt);
+  return {std::fmax(root.t - nearest, root.error), std::numeric_limits<double>::infinity()};
 }
 
 Triple2 near_one(const Triple2& v) {

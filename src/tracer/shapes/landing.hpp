@@ -11,8 +11,9 @@
 
 namespace lancer::tracer {
 
+/// How far before and behind its distance a crossing may be.
 struct Span {
-  double low = 0, high = 0;
+  double before = 0, after = 0;
 };
 
 /// A crossing with its place. The distance, each coordinate of the point and each component of the normal are
@@ -20,6 +21,7 @@ struct Span {
 /// largest one, by more than 2^40, within 1 ulp of that many times less.
 struct Landing {
   Root root;        // its error is that of the surface's own slack
+  double rest = 0;  // what rounding took from the distance
   double tilt = 0;  // how far the surface's own rounding may turn it, as a part of its slope along the ray
   Vec3 point;
   Vec3 normal;  // outward, unit length
@@ -28,6 +30,9 @@ struct Landing {
   /// is far wider than the error.
   Span span() const;
 };
+
+/// By how much a is farther than b, to more digits than their distances have.
+inline double gap(const Landing& a, const Landing& b) { return (a.root.t - b.root.t) + (a.rest - b.rest); }
 
 /// None, one or two, in ascending order of distance.
 struct Landings {

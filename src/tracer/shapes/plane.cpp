@@ -77,7 +77,7 @@ Roots roots(const PlanePrimitive& plane, const Probe& probe) {
 }
 
 Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, 0, {}, plane.unit_normal};
+  Landing landing{root, 0, 0, {}, plane.unit_normal};
   if (plane.across >= 0) {
     if (land_quickly(Across{plane.across, plane.point[plane.across]}, origin, direction, landing)) {
       set_slack(plane, origin, direction, landing);

@@ -51,7 +51,7 @@ Root exit(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
 }
 
 Landing land(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, 0, {}, {}};
+  Landing landing{root, 0, 0, {}, {}};
   if (land_quickly(sphere, origin, direction, landing)) {
     set_slack(sphere, sphere.radius * std::fabs(dot(landing.normal, direction)), landing);
     return landing;

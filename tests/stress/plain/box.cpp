@@ -52,7 +52,7 @@ Root exit(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
 }
 
 Landing land(const BoxPrimitive& box, Vec3 origin, Vec3 direction, const Root& root) {
-  return {root, 0, origin + direction * root.t, normal(box, root.face)};
+  return {root, 0, 0, origin + direction * root.t, normal(box, root.face)};
 }
 
 Vec3 normal(const BoxPrimitive& box, int face) {

@@ -18,7 +18,7 @@ Root exit(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction) {
 
 Landing land(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction, const Root& root) {
   const Vec3 p = origin + direction * root.t;
-  return {root, 0, p, normal(e, p)};
+  return {root, 0, 0, p, normal(e, p)};
 }
 
 Vec3 normal(const EllipsoidPrimitive& e, Vec3 p) {

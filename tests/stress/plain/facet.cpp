@@ -21,7 +21,7 @@ Roots roots(const FacetPrimitive& facet, const Probe& probe) {
 }
 
 Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root) {
-  return {root, 0, origin + direction * root.t, normal(facet)};
+  return {root, 0, 0, origin + direction * root.t, normal(facet)};
 }
 
 Vec3 project(const FacetPrimitive&, Vec3 p) { return p; }

@@ -10,7 +10,7 @@ Roots roots(const PlanePrimitive& plane, const Probe& probe) {
 }
 
 Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Root& root) {
-  return {root, 0, origin + direction * root.t, plane.unit_normal};
+  return {root, 0, 0, origin + direction * root.t, plane.unit_normal};
 }
 
 Vec3 project(const PlanePrimitive&, Vec3 p) { return p; }

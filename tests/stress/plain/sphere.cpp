@@ -17,7 +17,7 @@ Root exit(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction) {
 
 Landing land(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, const Root& root) {
   const Vec3 p = origin + direction * root.t;
-  return {root, 0, p, normal(sphere, p)};
+  return {root, 0, 0, p, normal(sphere, p)};
 }
 
 Vec3 normal(const SpherePrimitive& sphere, Vec3 p) { return (p - sphere.center) / sphere.radius; }
