@@ -249,7 +249,7 @@ TEST_CASE("facet: edges and corners belong to it, and no ray slips between neigh
 }
 
 TEST_CASE("facet: barycentric weights of corners and the middle", "[shapes]") {
-  const FacetPrimitive f{{1, 2, 3}, {4, 2, 5}, {0, 7, 1}, false, 0, 0};
+  const FacetPrimitive f{{1, 2, 3}, {4, 2, 5}, {0, 7, 1}, {}, false, 0, 0};
   CHECK(barycentric(f, f.a).a == 1);
   CHECK(barycentric(f, f.b).b == 1);
   CHECK(barycentric(f, f.c).c == 1);
@@ -269,7 +269,7 @@ TEST_CASE("mesh: the winding number tells inside from outside, mirrored too", "[
     CHECK(side(world, 0, {30, 0, 0}) > 0);
   }
   // The facet that spans the ends of the unit axes fills an eighth of what the origin sees.
-  CHECK(winding({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, false, 0, 0}, {0, 0, 0}) == Approx(1.0 / 8));
+  CHECK(winding({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}, false, 0, 0}, {0, 0, 0}) == Approx(1.0 / 8));
 }
 
 TEST_CASE("shapes: bounds hold every point of the surface", "[shapes]") {
