@@ -8,7 +8,16 @@
 namespace lancer::tracer {
 namespace {
 
-Candidates search(const World& world, const Ray& ray, Stats& stats) {
+/// A facet that the ray meets, or passes by its rim.
+struct Met {
+  std::uint32_t primitive = 0;
+  Root root;
+  Vec3 normal;
+};
+using MetList = SmallList<Met, 8>;
+
+/// The surfaces that may be the first; to `passed` come facets that the ray misses by rounding alone.
+Candidates search(const World& world, const Ray& ray, Stats& stats, MetList& passed) {
   Candidates candidates;
   for (const Contact& contact : ray.contacts) {
     if (at_start(contact, world.primitives[contact.primitive].kind, ray.direction) ==
@@ -22,6 +31,7 @@ Candidates search(const World& world, const Ray& ray, Stats& stats) {
     if (find_contact(ray.contacts, primitive)) return false;
     ++stats.shape_tests;
     const Roots found = roots(world, primitive, probe);
+    if (found.passes) passed.push_back({primitive, found.root[0], {}});
     for (int i = 0; i < found.count; ++i) {
       if (!(found.root[i].t > 0)) continue;
       const Root& root = found.root[i];
@@ -38,6 +48,13 @@ Candidates search(const World& world, const Ray& ray, Stats& stats) {
   world.tree.traverse(probe, candidates.limit(), stats.node_visits,
                       [&](std::uint32_t item) { return test(world.bounded[item]); });
   candidates.tidy();
+  // Of those farther away the search finds some and leaves out others, as the tree has it.
+  std::size_t kept = 0;
+  for (const Met& m : passed) {
+    const Interval own = own_interval(world, m.primitive, probe);
+    if (own.enter <= own.leave && own.enter <= candidates.limit()) passed[kept++] = m;
+  }
+  passed.shrink(kept);
   return candidates;
 }
 
@@ -90,22 +107,38 @@ const Candidate& first_met(const World& world, const Ray& ray, const Candidates&
 }
 
 /// Do facets of the shape, a mesh, cross at the hit in both ways?
-bool is_mixed(const World& world, const Candidates& candidates, std::uint32_t shape) {
+bool is_mixed(const World& world, const MetList& met, std::uint32_t shape) {
   bool enters = false, leaves = false;
-  for (const Candidate& c : candidates) {
-    if (world.primitives[c.primitive].shape == shape) (c.root.entering ? enters : leaves) = true;
+  for (const Met& m : met) {
+    if (world.primitives[m.primitive].shape == shape) (m.root.entering ? enters : leaves) = true;
   }
   return enters && leaves;
 }
 
-void collect_contacts(const World& world, const Ray& ray, const Candidates& candidates, Hit& hit) {
+/// What passes through the hit: the candidates, and such facets as end there but for rounding, which in the
+/// corner of two walls must stop a ray that goes on from one of them.
+MetList surfaces_at(const World& world, const Ray& ray, const Candidates& candidates, const MetList& passed,
+                    const Hit& hit) {
+  MetList met;
   for (const Candidate& c : candidates) {
-    const std::uint32_t shape = world.primitives[c.primitive].shape;
-    const bool mixed =
-        world.primitives[c.primitive].kind == Kind::facet && is_mixed(world, candidates, shape);
-    const bool in_shape = mixed ? starts_inside(ray, shape) : !c.root.entering;
-    const Vec3 outward = c.primitive == hit.primitive ? hit.normal : c.normal;
-    hit.contacts.push_back({c.primitive, shape, c.root.face, !c.root.entering, in_shape, false, outward});
+    met.push_back({c.primitive, c.root, c.primitive == hit.primitive ? hit.normal : c.normal});
+  }
+  for (const Met& m : passed) {
+    const FacetPrimitive& facet = world.facets[world.primitives[m.primitive].record];
+    const double tolerance =
+        8 * k_u * (max_abs(hit.point) + sum_abs(hit.point - ray.origin)) + 4 * facet.slack;
+    if (touches(facet, hit.point, tolerance)) met.push_back({m.primitive, m.root, facet.normal});
+  }
+  return met;
+}
+
+void collect_contacts(const World& world, const Ray& ray, const MetList& met, Hit& hit) {
+  for (const Met& m : met) {
+    const Primitive& primitive = world.primitives[m.primitive];
+    const bool mixed = primitive.kind == Kind::facet && is_mixed(world, met, primitive.shape);
+    const bool in_shape = mixed ? starts_inside(ray, primitive.shape) : !m.root.entering;
+    hit.contacts.push_back(
+        {m.primitive, primitive.shape, m.root.face, !m.root.entering, in_shape, false, m.normal});
   }
   // The order in which the search found them must not show.
   std::sort(hit.contacts.begin(), hit.contacts.end(),
@@ -200,7 +233,8 @@ bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
     for (Contact& c : hit.contacts) c.left = false;
     return true;
   }
-  Candidates candidates = search(world, ray, stats);
+  MetList passed;
+  Candidates candidates = search(world, ray, stats, passed);
   if (candidates.size() > 1) candidates = settled(world, ray, candidates);
   if (candidates.empty()) return false;
   const Candidate& first = first_met(world, ray, candidates);
@@ -219,7 +253,7 @@ bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
   const double since = hit.root.t - std::max(first.earliest, 0.0);
   hit.root.error = std::min(hit.root.error, std::max(since, candidates.limit() - hit.root.t));
   hit.point_error = hit.root.error + 4 * k_u * max_abs(hit.point);
-  collect_contacts(world, ray, candidates, hit);
+  collect_contacts(world, ray, surfaces_at(world, ray, candidates, passed, hit), hit);
   return true;
 }
 

@@ -1,5 +1,6 @@
 #include "tracer/light.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "base/math.hpp"
@@ -40,6 +41,10 @@ Incoming incoming(const scene::Light& light, Vec3 p) {
     in.intensity = in.intensity * (ratio * ratio);
   }
   if (light.kind == scene::LightKind::spot) in.intensity = in.intensity * cone(light, in.towards);
+  // Beyond what numbers hold, so that a surface that sends nothing back does so here too.
+  constexpr double k_most = std::numeric_limits<double>::max();
+  in.intensity = {std::fmin(in.intensity.r, k_most), std::fmin(in.intensity.g, k_most),
+                  std::fmin(in.intensity.b, k_most)};
   return in;
 }
 

@@ -79,9 +79,11 @@ void add_plane(World& world, std::uint32_t shape, const scene::Plane& plane, con
   n = {std::scalbn(n.x, -exponent), std::scalbn(n.y, -exponent), std::scalbn(n.z, -exponent)};
   level = std::scalbn(level, -exponent);
   const double slack = image_error(map, plane.point) + 4 * k_u * std::fabs(level) / length(n);
+  // A normal along an axis that no transform turned is no rounded one.
+  const bool along_axis = axis_across(n, 0) >= 0;
+  const double normal_error = (placed ? 16 : along_axis ? 0 : 2) * k_u;
   const PlanePrimitive placed_plane{
-      map.point(plane.point), n, level, unit(n), sum_abs(n), slack, (placed ? 16 : 2) * k_u,
-      axis_across(n, level)};
+      map.point(plane.point), n, level, unit(n), sum_abs(n), slack, normal_error, axis_across(n, level)};
   append(world, world.planes, placed_plane, Kind::plane, shape);
 }
 

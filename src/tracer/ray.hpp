@@ -71,6 +71,7 @@ struct Root {
 struct Roots {
   int count = 0;
   Root root[2];
+  bool passes = false;  // none, but the ray passes by a facet's rim within rounding: root[0] is where
 };
 
 }  // namespace lancer::tracer

@@ -38,10 +38,19 @@ Color from_light(const Tracing& tracing, const scene::Light& light, const Ray& r
   return light_through(*tracing.world, tracing.plan->shadows, shadow_ray, in.distance, stats) * unshadowed;
 }
 
+/// The solids that a ray from the hit is inside of. A ray that only touches a sphere or box goes on outside,
+/// whichever way rounding has it.
+OpenSolids open_after(const Tracing& tracing, const Hit& hit, Vec3 direction, OpenSolids open) {
+  const World& world = *tracing.world;
+  if (!tracing.plan->media || !is_convex_solid(world.primitives[hit.primitive].kind)) return open;
+  cross(world, open, hit.shape, dot(hit.normal, direction) < 0);
+  return open;
+}
+
 Branch reflection(const Tracing& tracing, const Ray& ray, const Hit& hit, const Surface& surface,
                   Color share) {
   Branch branch{ray_from(*tracing.world, hit, mirrored(ray.direction, surface.normal)), share, {}};
-  branch.ray.open = ray.open;
+  branch.ray.open = open_after(tracing, hit, branch.ray.direction, ray.open);
   return branch;
 }
 
@@ -72,7 +81,7 @@ void add_branches(const Tracing& tracing, const Ray& ray, const Hit& hit, const 
     }
     if (!is_black(through_share)) {
       out.transmitted = Branch{ray_from(world, hit, *direction), through_share, {}};
-      out.transmitted->ray.open = beyond;
+      out.transmitted->ray.open = open_after(tracing, hit, *direction, beyond);
     }
   }
   if (!is_black(mirror_share)) out.reflected = reflection(tracing, ray, hit, surface, mirror_share);

@@ -13,6 +13,7 @@ Rows all_rows() {
   add_secondary_rows(rows);
   add_picture_rows(rows);
   add_media_rows(rows);
+  add_exact_rows(rows);
   return rows;
 }
 

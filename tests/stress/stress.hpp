@@ -68,5 +68,6 @@ void add_mesh_rows(Rows& rows);
 void add_secondary_rows(Rows& rows);
 void add_picture_rows(Rows& rows);
 void add_media_rows(Rows& rows);
+void add_exact_rows(Rows& rows);
 
 }  // namespace lancer::stress

@@ -3,6 +3,7 @@
 #include "base/math.hpp"
 #include "build.hpp"
 #include "catch.hpp"
+#include "tracer/shadow.hpp"
 
 using namespace lancer;
 using namespace lancer::tracer;
@@ -259,6 +260,40 @@ TEST_CASE("coincident: planes nearly so part at one clean line, without speckles
       }
       INFO("gap " << gap << ", height " << height);
       CHECK(speckled == 0);
+    }
+  }
+}
+
+TEST_CASE("coincident: no light comes through the edge of two walls", "[coincident]") {
+  // The light is behind the wall; where a ray meets the floor within rounding of the edge, the wall stops
+  // what goes on towards it, although the ray itself passed the wall by.
+  for (int i = 0; i < 6; ++i) {
+    for (const bool box : {false, true}) {
+      Scene s;
+      if (box) {
+        add_box(s, {-9, -9, -9}, {9, 0, 9}, glowing(0), crooked(i));
+      } else {
+        add_facet(s, {0, 0, 0}, {0, 0, 1}, {2, 0, 1}, glowing(0), crooked(i));
+        add_facet(s, {0, 0, 0}, {2, 0, 1}, {2, 0, 0}, glowing(0), crooked(i));
+      }
+      add_facet(s, {0, 0, 0}, {0, 2, 0}, {0, 2, 1}, glowing(0), crooked(i));
+      add_facet(s, {0, 0, 0}, {0, 2, 1}, {0, 0, 1}, glowing(0), crooked(i));
+      const World world = prepare(s);
+      const Vec3 eye = crooked(i).point({1, 1, 0.5}), lamp = crooked(i).point({-3, 2, 0.5});
+      int met = 0, lit = 0;
+      for (int k = 1; k < 500; ++k) {
+        const Vec3 aim = crooked(i).point({0, 0, k / 500.0});
+        Stats stats;
+        Hit hit;
+        if (!closest(world, Ray{eye, normalize(aim - eye), 0, {}, {}}, stats, hit)) continue;
+        ++met;
+        const Vec3 way = lamp - hit.point;
+        if (dot(way, hit.normal) <= 0) continue;
+        const Ray onward = ray_from(world, hit, normalize(way));
+        lit += light_through(world, ShadowWork::blocked, onward, length(way), stats).r > 0 ? 1 : 0;
+      }
+      CHECK(met > 400);
+      CHECK(lit == 0);
     }
   }
 }

@@ -190,3 +190,28 @@ TEST_CASE("media: an eye in an opaque room sees its walls", "[media]") {
   CHECK(seen(s, {0, 0, 0.5}, {1, 0.3, 0}).r == 0.25);
   CHECK(seen(s, {0, 0, 0.5}, {0, 0, -1}).r == 0.25);
 }
+
+TEST_CASE("media: a ray that touches a glass ball exactly is not inside of it afterwards", "[media]") {
+  // The ball lies in glass of its own index, in front of a wall whose colour tells how the ray was bent where
+  // it left the glass: with the ball and without it the same is seen.
+  Scene s;
+  s.settings.depth = 20;
+  s.settings.ambient = grey(1);
+  scene::Pattern gradient;
+  gradient.kind = scene::Pattern::Kind::gradient;
+  gradient.b = grey(1);
+  gradient.from = {0, -10, 0};
+  gradient.to = {0, 10, 0};
+  s.patterns.push_back(gradient);
+  Material wall = black();
+  wall.ambient.pattern = 0;
+  add_sphere(s, {0, 0, 0}, 5, clear(1, 1.5));
+  add_plane(s, {-20, 0, 0}, {1, 0, 0}, wall);
+  Scene with = s;
+  add_sphere(with, {0, 0, -1}, 1, clear(1, 1.5));
+  for (const Vec3 eye : {Vec3{4, -1, -1}, Vec3{4, 1, -1}}) {
+    const Color bare = seen(s, eye, {-1, 0, 0});
+    CHECK(bare.r != 0.5);
+    CHECK(seen(with, eye, {-1, 0, 0}) == bare);
+  }
+}

@@ -23,10 +23,10 @@ Sheared shear(Vec3 corner, const Probe& probe) {
 
 enum class Answer : std::uint8_t { no, yes, unknown };
 
-/// Is the ray on the same side of the three edges, each off by `doubt` at most?
-Answer same_side(double u, double v, double w, double doubt) {
+/// Is the ray on the same side of the three edges, each off by `doubt` at most? No: by more than `rim`, too.
+Answer same_side(double u, double v, double w, double doubt, double rim = 0) {
   const double least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
-  if (least < -doubt && most > doubt) return Answer::no;
+  if (least < -doubt - rim && most > doubt + rim) return Answer::no;
   return least > doubt || most < -doubt ? Answer::yes : Answer::unknown;
 }
 
@@ -44,7 +44,8 @@ Verdict quick_test(const FacetPrimitive& f, const Probe& probe) {
   const double spread =
       std::fabs(a.x) + std::fabs(a.y) + std::fabs(b.x) + std::fabs(b.y) + std::fabs(c.x) + std::fabs(c.y);
   const double off = 5 * k_u * std::max(a.size, std::max(b.size, c.size));
-  return {same_side(u, v, w, (off + 2 * k_u * spread) * spread + 2 * off * off), u + v + w};
+  const double doubt = (off + 2 * k_u * spread) * spread + 2 * off * off;
+  return {same_side(u, v, w, doubt, 4 * f.slack * spread), u + v + w};
 }
 
 DoubleDouble dot(const Triple2& a, Vec3 b) { return a[0] * b.x + a[1] * b.y + a[2] * b.z; }
@@ -94,12 +95,24 @@ Roots roots(const FacetPrimitive& facet, const Probe& probe) {
   Verdict verdict = quick_test(facet, probe);
   if (verdict.hits == Answer::no) return {};
   if (verdict.hits == Answer::unknown) verdict = long_test(facet, probe);
-  if (verdict.hits == Answer::no) return {};
-  if (verdict.hits == Answer::yes) {
-    const Root root = plane_crossing(facet, probe, (verdict.determinant > 0) != facet.flipped);
-    if (std::fabs(root.t) > root.error) return {1, {root, {}}};
+  const bool entering = (verdict.determinant > 0) != facet.flipped;
+  const Root root = plane_crossing(facet, probe, entering);
+  if (verdict.hits == Answer::no) return {0, {root, {}}, std::isfinite(root.t)};
+  if (verdict.hits == Answer::yes && std::fabs(root.t) > root.error) return {1, {root, {}}};
+  const Landings exactly = careful_landings(facet, probe.origin, probe.direction, Detail::distances);
+  return exactly.count == 1 ? exactly.roots() : Roots{0, {root, {}}, std::isfinite(root.t)};
+}
+
+bool touches(const FacetPrimitive& f, Vec3 p, double tolerance) {
+  const Vec3 corner[3] = {f.a, f.b, f.c};
+  const Vec3 n = f.flipped ? -f.normal : f.normal;
+  if (std::fabs(lancer::dot(n, p - f.a)) > tolerance + 4 * k_u * sum_abs(p - f.a)) return false;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 edge = corner[(i + 1) % 3] - corner[i], offset = p - corner[i];
+    const double inwards = lancer::dot(lancer::cross(n, edge), offset);
+    if (inwards < -(tolerance + 4 * k_u * sum_abs(offset)) * length(edge)) return false;
   }
-  return careful_landings(facet, probe.origin, probe.direction, Detail::distances).roots();
+  return true;
 }
 
 Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root) {

@@ -25,6 +25,8 @@ struct Barycentric {
 /// rounding does to its edge functions, beyond which their signs are found exactly: a ray at an edge or
 /// corner that facets share hits every one of them. A ray in the facet's plane misses.
 Roots roots(const FacetPrimitive& facet, const Probe& probe);
+/// Is p on the facet, give or take the tolerance?
+bool touches(const FacetPrimitive& facet, Vec3 p, double tolerance);
 Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root);
 inline Vec3 normal(const FacetPrimitive& facet) { return facet.normal; }
 /// The outward unit normal of the corners, to the last bit; 0 where they are on a line.

@@ -26,6 +26,8 @@ Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Roo
 
 Vec3 project(const FacetPrimitive&, Vec3 p) { return p; }
 
+bool touches(const FacetPrimitive&, Vec3, double) { return false; }
+
 Vec3 normal_of_corners(const FacetPrimitive& facet) {
   const Vec3 n = cross(facet.b - facet.a, facet.c - facet.a);
   return n / (length(n) * (facet.flipped ? -1 : 1));
