@@ -178,10 +178,7 @@ Landing land(const BoxPrimitive& box, Vec3 origin, Vec3 direction, const Root& r
     set_slack(box, direction, landing);
     return landing;
   }
-  const Landings exactly = careful_landings(box, origin, direction, Detail::places);
-  const Landing& found = exactly.at[root.entering ? 0 : 1];
-  if (exactly.count == 2 && found.root.t > 0) {
-    landing = found;
+  if (take(careful_landings(box, origin, direction, Detail::places), root.entering, landing)) {
     snap(plane_of(box, landing.root.face), landing.point);
     return landing;
   }

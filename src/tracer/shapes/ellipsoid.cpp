@@ -76,12 +76,7 @@ Landing land(const EllipsoidPrimitive& e, Vec3 origin, Vec3 direction, const Roo
     set_slack(e, direction, landing);
     return landing;
   }
-  const Landings exactly = careful_landings(e, origin, direction, Detail::places);
-  const Landing& found = exactly.at[root.entering ? 0 : 1];
-  if (exactly.count == 2 && found.root.t > 0) {
-    landing = found;
-    return landing;
-  }
+  if (take(careful_landings(e, origin, direction, Detail::places), root.entering, landing)) return landing;
   landing.root = root;
   landing.point = project(e, origin + direction * root.t);
   landing.normal = normal(e, landing.point);

@@ -21,8 +21,6 @@ Sheared shear(Vec3 corner, const Probe& probe) {
   return {v[probe.kx] - probe.shear_x * z, v[probe.ky] - probe.shear_y * z, sum_abs(v)};
 }
 
-enum class Answer : std::uint8_t { no, yes, unknown };
-
 /// Is the ray on the same side of the three edges, each off by `doubt` at most? No: by more than `rim`, too.
 Answer same_side(double u, double v, double w, double doubt, double rim = 0) {
   const double least = std::min(u, std::min(v, w)), most = std::max(u, std::max(v, w));
@@ -122,9 +120,7 @@ Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Roo
     set_slack(facet, origin, direction, landing);
     return landing;
   }
-  const Landings exactly = careful_landings(facet, origin, direction, Detail::places);
-  if (exactly.count == 1 && exactly.at[0].root.t > 0) {
-    landing = exactly.at[0];
+  if (take(careful_landings(facet, origin, direction, Detail::places), root.entering, landing)) {
     snap({facet.normal, 0, facet.a}, landing.point);
     return landing;
   }

@@ -42,6 +42,14 @@ struct Landings {
   Roots roots() const { return {count, {at[0].root, at[1].root}}; }
 };
 
+/// Of these the one that enters, or leaves, where it lies ahead of the ray's start.
+inline bool take(const Landings& found, bool entering, Landing& landing) {
+  const Landing& one = found.at[found.count == 2 && !entering ? 1 : 0];
+  if (found.count == 0 || !(one.root.t > 0)) return false;
+  landing = one;
+  return true;
+}
+
 using Triple2 = std::array<DoubleDouble, 3>;
 
 /// a - b exactly.

@@ -2,10 +2,15 @@
 // n . v with a bound of its error: plain arithmetic where that is good enough, twice the precision where
 // terms cancel.
 
+#include <cstdint>
+
 #include "tracer/numeric.hpp"
 #include "tracer/shapes/landing.hpp"
 
 namespace lancer::tracer {
+
+/// What a bound lets tell.
+enum class Answer : std::uint8_t { no, yes, unknown };
 
 struct Bounded {
   double value = 0, error = 0;

@@ -88,9 +88,7 @@ Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Roo
     set_slack(plane, origin, direction, landing);
     return landing;
   }
-  const Landings exactly = careful_landings(plane, origin, direction, Detail::places);
-  if (exactly.count == 1 && exactly.at[0].root.t > 0) {
-    landing = exactly.at[0];
+  if (take(careful_landings(plane, origin, direction, Detail::places), root.entering, landing)) {
     snap(plane_of(plane), landing.point);
     return landing;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tracer/shapes/box.hpp"
+#include "tracer/shapes/linear_form.hpp"
 
 namespace lancer::tracer {
 
@@ -40,8 +41,6 @@ inline Side side_crossing(const BoxPrimitive& box, const Local& ray, int axis, b
   const double moved = (ray.origin_error[axis] + std::fabs(t) * ray.direction_error[axis]) * (4.0 / 3);
   return {t, moved / std::fabs(ray.direction[axis]) + 2 * k_u * std::fabs(t), 2 * axis + (upper ? 1 : 0)};
 }
-
-enum class Answer : std::uint8_t { no, yes, unknown };
 
 /// The part of a ray inside the box, by its sides, and what is known of it, with a bound for each side.
 class Clip {

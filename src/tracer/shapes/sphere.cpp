@@ -56,12 +56,8 @@ Landing land(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, const R
     set_slack(sphere, sphere.radius * std::fabs(dot(landing.normal, direction)), landing);
     return landing;
   }
-  const Landings exactly = careful_landings(sphere, origin, direction, Detail::places);
-  const Landing& found = exactly.at[root.entering ? 0 : 1];
-  if (exactly.count == 2 && found.root.t > 0) {
-    landing = found;
+  if (take(careful_landings(sphere, origin, direction, Detail::places), root.entering, landing))
     return landing;
-  }
   landing.root = root;
   landing.point = project(sphere, origin + direction * root.t);
   landing.normal = normal(sphere, landing.point);
