@@ -37,6 +37,10 @@ double versine(double angle, double cosine) {
   return 2 * half * half;
 }
 
+DoubleDouble operator*(const std::array<DoubleDouble, 3>& v, Vec3 row) {
+  return v[0] * row.x + v[1] * row.y + v[2] * row.z;
+}
+
 using Matrix = std::array<std::array<DoubleDouble, 3>, 3>;
 
 /// A matrix whose rows have been divided by the powers of two that bring them near 1.
@@ -87,6 +91,33 @@ double permanent(const std::array<Vec3, 3>& m) {
 
 }  // namespace
 
+Place Place::from(Vec3 origin) const {
+  Place way;
+  for (int axis = 0; axis < 3; ++axis) {
+    const DoubleDouble difference = two_sum(at[axis], -origin[axis]) + rest[axis];
+    way.at[axis] = difference.hi;
+    way.rest[axis] = difference.lo;
+  }
+  return way;
+}
+
+Place Affine::place(const Place& p) const {
+  std::array<DoubleDouble, 3> from;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int axis = static_cast<int>(i);
+    from[i] = two_sum(p.at[axis], p.rest[axis]);
+  }
+  Place to;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int axis = static_cast<int>(i);
+    const DoubleDouble moved = from * rows[i] + two_sum(translation[axis], rest[axis]);
+    to.at[axis] = moved.hi;
+    to.rest[axis] = moved.lo;
+  }
+  // Near the end of the range of numbers what twice the precision needs overflows first.
+  return is_finite(to.at) && is_finite(to.rest) ? to : Place{point(p.at), {}};
+}
+
 bool is_identity(const Affine& a) { return a == Affine{}; }
 
 bool is_finite(const Affine& a) {
@@ -98,7 +129,9 @@ double determinant(const Affine& a) { return dot(a.rows[0], cross(a.rows[1], a.r
 Affine then(const Affine& first, const Affine& second) {
   Affine out;
   for (std::size_t i = 0; i < 3; ++i) out.rows[i] = without_minus_zero(first.transposed(second.rows[i]));
-  out.translation = without_minus_zero(second.point(first.translation));
+  const Place moved = second.place({first.translation, first.rest});
+  out.translation = without_minus_zero(moved.at);
+  out.rest = without_minus_zero(moved.rest);
   return out;
 }
 
@@ -145,9 +178,11 @@ std::optional<Affine> inverse(const Affine& a) {
       const DoubleDouble entry = cofactors[i][j] / det;
       const int e = -scaled->exponents[j];
       out.rows[i][static_cast<int>(j)] = std::scalbn(entry.hi, e) + 0.0;
-      moved = moved + entry * std::scalbn(a.translation[static_cast<int>(j)], e);
+      const int axis = static_cast<int>(j);
+      moved = moved + entry * two_sum(std::scalbn(a.translation[axis], e), std::scalbn(a.rest[axis], e));
     }
     out.translation[static_cast<int>(i)] = 0.0 - moved.hi;
+    out.rest[static_cast<int>(i)] = 0.0 - moved.lo;
   }
   if (!is_finite(out)) return std::nullopt;
   return out;

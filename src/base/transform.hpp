@@ -8,14 +8,24 @@
 
 namespace lancer {
 
+/// A point to twice the precision of a double: at + rest, the rest below the last bits of `at`.
+struct Place {
+  Vec3 at, rest;
+
+  /// The way here from `origin`; its `at` is that rounded once.
+  Place from(Vec3 origin) const;
+};
+
 /// p -> M p + t, M in rows.
 struct Affine {
   std::array<Vec3, 3> rows = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   Vec3 translation;
+  Vec3 rest{};  // of the translation, below its last bits: what rounding would take from far moves
 
   friend bool operator==(const Affine&, const Affine&) = default;
   Vec3 vector(Vec3 v) const { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
   Vec3 point(Vec3 p) const { return vector(p) + translation; }
+  Place place(const Place& p) const;
   /// M^T v: how normals travel when called on the inverse map.
   Vec3 transposed(Vec3 v) const { return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z; }
 };

@@ -43,6 +43,7 @@ struct Hasher {
     Hash h;
     for (const Vec3 row : a.rows) h.add(row);
     h.add(a.translation);
+    h.add(a.rest);
     return h.value();
   }
   std::size_t operator()(const scene::Pattern& p) const {
@@ -253,7 +254,9 @@ double mean_scale(const Affine& map) {
 void SceneBuilder::place_light(const Object& object, const Affine& map) {
   scene::Light light = std::get<scene::Light>(object.record);
   if (transform(object, map) != 0) {
-    light.at = map.point(light.at);
+    const Place at = map.place({light.at, light.at_rest});
+    light.at = at.at;
+    light.at_rest = at.rest;
     light.direction = map.vector(scaled_to_one(light.direction));
     check_finite(object, is_finite(light.at) && is_finite(light.direction));
     if (light.falloff > 0) {
@@ -269,10 +272,16 @@ void SceneBuilder::place_light(const Object& object, const Affine& map) {
 void SceneBuilder::place_view(const Object& object, const Affine& map) {
   scene::View view = std::get<scene::View>(object.record);
   if (transform(object, map) != 0) {
-    view.eye = map.point(view.eye);
+    const Place eye = map.place({view.eye, view.eye_rest});
+    view.eye = eye.at;
+    view.eye_rest = eye.rest;
     view.look = map.vector(view.look);
     view.up = map.vector(view.up);
-    for (Vec3& corner : view.corners) corner = map.point(corner);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Place corner = map.place({view.corners[i], view.corner_rests[i]});
+      view.corners[i] = corner.at;
+      view.corner_rests[i] = corner.rest;
+    }
     const auto& [a, b, c] = view.corners;
     check_finite(object, is_finite(view.eye) && is_finite(view.look) && is_finite(view.up) && is_finite(a) &&
                              is_finite(b) && is_finite(c));

@@ -112,6 +112,7 @@ enum class LightKind : std::uint8_t { point, sun, spot };
 struct Light {
   LightKind kind = LightKind::point;
   Vec3 at;         // point, spot
+  Vec3 at_rest;    // what is below its last bits (see Place)
   Vec3 direction;  // sun: the way its light travels; spot: where it points; any length but zero
   Color color{1, 1, 1};
   double falloff = 0;     // inverse square, 1 at this distance; 0: none
@@ -126,11 +127,13 @@ enum class Projection : std::uint8_t { perspective, orthographic, corners };
 struct View {
   Projection projection = Projection::perspective;
   Vec3 eye;
+  Vec3 eye_rest;                // what is below its last bits (see Place)
   Vec3 look{0, 0, -1};          // any length but zero
   Vec3 up{0, 1, 0};             // not along look
   double fov = 50;              // perspective: horizontal, degrees, in (0, 180)
   double width = 1;             // orthographic: of the screen, > 0
   std::array<Vec3, 3> corners;  // corners: top-left, top-right, bottom-left
+  std::array<Vec3, 3> corner_rests;
   int columns = 640, rows = 480;
   Index name = 0;
   Span source;

@@ -2,7 +2,6 @@
 // Axis-aligned bounding boxes and the one test that the tree makes of them.
 
 #include <algorithm>
-#include <limits>
 
 #include "tracer/numeric.hpp"
 #include "tracer/ray.hpp"
@@ -10,8 +9,7 @@
 namespace lancer::tracer {
 
 struct Aabb {
-  Vec3 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-          std::numeric_limits<double>::infinity()};
+  Vec3 lo{k_infinity, k_infinity, k_infinity};
   Vec3 hi = -lo;
 
   void add(Vec3 p) {
@@ -49,7 +47,7 @@ struct Interval {
 /// bounded by it: a comparison with NaN is false.
 inline Interval interval(const Aabb& box, const Probe& probe) {
   constexpr double k_widen = 1 + 2 * gamma(3);
-  Interval out{0, std::numeric_limits<double>::infinity()};
+  Interval out{0, k_infinity};
   for (int axis = 0; axis < 3; ++axis) {
     const double inverse = probe.inverse[axis];
     const bool backwards = std::signbit(inverse);

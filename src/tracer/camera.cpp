@@ -5,16 +5,19 @@
 
 namespace lancer::tracer {
 
-Camera::Camera(const scene::View& view, int columns, int rows)
+Camera::Camera(const scene::View& view, int columns, int rows, Vec3 origin)
     : parallel_(view.projection == scene::Projection::orthographic),
       corners_(view.projection == scene::Projection::corners),
       columns_(columns),
       rows_(rows),
-      eye_(view.eye) {
+      eye_(Place{view.eye, view.eye_rest}.from(origin).at) {
   if (corners_) {
-    middle_ = view.corners[0] - view.eye;
-    right_ = view.corners[1] - view.corners[0];
-    up_ = view.corners[2] - view.corners[0];
+    const auto way = [&](Vec3 from, Vec3 rest, std::size_t corner) {
+      return Place{view.corners[corner], view.corner_rests[corner]}.from(from).at - rest;
+    };
+    middle_ = way(view.eye, view.eye_rest, 0);
+    right_ = way(view.corners[0], view.corner_rests[0], 1);
+    up_ = way(view.corners[0], view.corner_rests[0], 2);
     return;
   }
   middle_ = normalize(view.look);

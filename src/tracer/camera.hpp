@@ -12,8 +12,8 @@ struct CameraRay {
 
 class Camera {
  public:
-  /// The view, drawn with columns x rows pixels.
-  Camera(const scene::View& view, int columns, int rows);
+  /// The view, drawn with columns x rows pixels, in a space that starts at `origin`.
+  Camera(const scene::View& view, int columns, int rows, Vec3 origin = {});
 
   /// Through the point x columns from the left and y rows from the top; (i + 1/2, j + 1/2) is the centre of
   /// the pixel in column i and row j.

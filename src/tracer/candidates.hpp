@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 
 #include "tracer/aabb.hpp"
 #include "tracer/ray.hpp"
@@ -11,7 +10,6 @@
 
 namespace lancer::tracer {
 
-inline constexpr double k_infinity = std::numeric_limits<double>::infinity();
 inline constexpr Interval k_anywhere{0, k_infinity};
 
 /// A surface that may be the first.

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "base/vec.hpp"
+#include "tracer/triple.hpp"
 
 namespace lancer::tracer {
 
@@ -56,20 +57,6 @@ class Exact {
 
   Whole whole_ = 0;
   int exponent_ = 0;
-};
-
-/// A vector of them.
-template <class Number>
-struct Triple {
-  Number x, y, z;
-
-  friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Triple operator*(const Triple& a, const Number& s) { return {a.x * s, a.y * s, a.z * s}; }
-  friend Number dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-  friend Triple cross(const Triple& a, const Triple& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  }
 };
 
 inline Triple<Exact> exact(Vec3 v) { return {v.x, v.y, v.z}; }

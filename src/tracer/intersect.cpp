@@ -8,13 +8,47 @@
 namespace lancer::tracer {
 namespace {
 
-/// A facet that the ray meets, or passes by its rim.
+/// A surface that the ray meets, or a facet that it passes by its rim.
 struct Met {
   std::uint32_t primitive = 0;
   Root root;
   Vec3 normal;
+  bool passed = false;
 };
 using MetList = SmallList<Met, 8>;
+
+/// A closed mesh whose edge or corner the ray touches without a crossing is met there all the same, by a
+/// facet that takes the ray in and one that takes it out again. The other facets stay passed.
+void add_touched(const World& world, const Ray& ray, const Probe& probe, MetList& passed,
+                 Candidates& candidates) {
+  const auto is_at_rim = [&](std::uint32_t primitive, const Root& root) {
+    return root.rim && root.t > 0 && encloses(*world.scene, world.primitives[primitive].shape);
+  };
+  const auto meet = [&](const Root& a, const Root& b) { return std::fabs(a.t - b.t) <= a.error + b.error; };
+  const auto is_same = [&](std::uint32_t a, std::uint32_t b) {
+    return world.primitives[a].shape == world.primitives[b].shape;
+  };
+  MetList touched;
+  for (const Met& m : passed) {
+    if (!is_at_rim(m.primitive, m.root) || m.root.t - m.root.error > candidates.limit()) continue;
+    const bool crossed = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+      return is_at_rim(c.primitive, c.root) && is_same(c.primitive, m.primitive) && meet(c.root, m.root);
+    });
+    if (!crossed && !is_echo(world, ray, m.primitive, m.root)) touched.push_back(m);
+  }
+  std::sort(touched.begin(), touched.end(),
+            [](const Met& a, const Met& b) { return a.primitive < b.primitive; });
+  for (const Met& m : touched) {
+    const auto is_like = [&](const Met& o) {
+      return is_same(o.primitive, m.primitive) && meet(o.root, m.root) && o.root.entering == m.root.entering;
+    };
+    if (std::find_if(touched.begin(), touched.end(), is_like)->primitive != m.primitive) continue;
+    const Interval own = own_interval(world, m.primitive, probe);
+    Root root = m.root;
+    root.rim = false;
+    if (own.enter <= own.leave) candidates.add(m.primitive, root, own);
+  }
+}
 
 /// The surfaces that may be the first; to `passed` come facets that the ray misses by rounding alone.
 Candidates search(const World& world, const Ray& ray, Stats& stats, MetList& passed) {
@@ -31,7 +65,7 @@ Candidates search(const World& world, const Ray& ray, Stats& stats, MetList& pas
     if (find_contact(ray.contacts, primitive)) return false;
     ++stats.shape_tests;
     const Roots found = roots(world, primitive, probe);
-    if (found.passes) passed.push_back({primitive, found.root[0], {}});
+    if (found.passes) passed.push_back({primitive, found.root[0], {}, true});
     for (int i = 0; i < found.count; ++i) {
       if (!(found.root[i].t > 0)) continue;
       const Root& root = found.root[i];
@@ -47,12 +81,15 @@ Candidates search(const World& world, const Ray& ray, Stats& stats, MetList& pas
   for (const std::uint32_t primitive : world.unbounded) test(primitive);
   world.tree.traverse(probe, candidates.limit(), stats.node_visits,
                       [&](std::uint32_t item) { return test(world.bounded[item]); });
+  if (!passed.empty()) add_touched(world, ray, probe, passed, candidates);
   candidates.tidy();
   // Of those farther away the search finds some and leaves out others, as the tree has it.
   std::size_t kept = 0;
   for (const Met& m : passed) {
     const Interval own = own_interval(world, m.primitive, probe);
-    if (own.enter <= own.leave && own.enter <= candidates.limit()) passed[kept++] = m;
+    const bool is_met = std::any_of(candidates.begin(), candidates.end(),
+                                    [&](const Candidate& c) { return c.primitive == m.primitive; });
+    if (!is_met && own.enter <= own.leave && own.enter <= candidates.limit()) passed[kept++] = m;
   }
   passed.shrink(kept);
   return candidates;
@@ -65,6 +102,7 @@ Candidates settled(const World& world, const Ray& ray, const Candidates& quick) 
   double least = k_infinity;
   for (const Candidate& c : quick) {
     landings.push_back(land(world, c.primitive, ray.origin, ray.direction, c.root));
+    landings[landings.size() - 1].root.rim = c.root.rim;
     least = std::min(least, landings.back().root.t);
   }
   Candidates candidates;
@@ -89,13 +127,25 @@ bool starts_inside(const Ray& ray, std::uint32_t shape) {
   return std::find(ray.open.begin(), ray.open.end(), shape) != ray.open.end();
 }
 
+/// Where facets of a closed mesh meet, those of them that the ray crosses take it in, > 0, out, < 0, or into
+/// or out of nothing, 0, as where it touches an edge.
+template <class List>
+int way_in(const World& world, const List& met, std::uint32_t shape) {
+  int way = 0;
+  for (const auto& m : met) {
+    if (m.root.rim && world.primitives[m.primitive].shape == shape) way += m.root.entering ? 1 : -1;
+  }
+  return way;
+}
+
 /// The candidate of the object that was added first. Where several facets of its mesh meet, the first of
 /// those that fit the side of the mesh that the ray comes from.
 const Candidate& first_met(const World& world, const Ray& ray, const Candidates& candidates) {
   const auto shape_of = [&](const Candidate& c) { return world.primitives[c.primitive].shape; };
   std::uint32_t shape = shape_of(*candidates.begin());
   for (const Candidate& c : candidates) shape = std::min(shape, shape_of(c));
-  const bool inside = starts_inside(ray, shape);
+  const int way = way_in(world, candidates, shape);
+  const bool inside = way != 0 ? way < 0 : starts_inside(ray, shape);
   const Candidate* best = nullptr;
   for (const Candidate& c : candidates) {
     if (shape_of(c) != shape) continue;
@@ -121,24 +171,27 @@ MetList surfaces_at(const World& world, const Ray& ray, const Candidates& candid
                     const Hit& hit) {
   MetList met;
   for (const Candidate& c : candidates) {
-    met.push_back({c.primitive, c.root, c.primitive == hit.primitive ? hit.normal : c.normal});
+    met.push_back({c.primitive, c.root, c.primitive == hit.primitive ? hit.normal : c.normal, false});
   }
   for (const Met& m : passed) {
     const FacetPrimitive& facet = world.facets[world.primitives[m.primitive].record];
     const double tolerance =
         8 * k_u * (max_abs(hit.point) + sum_abs(hit.point - ray.origin)) + 4 * facet.slack;
-    if (touches(facet, hit.point, tolerance)) met.push_back({m.primitive, m.root, facet.normal});
+    if (touches(facet, hit.point, tolerance)) met.push_back({m.primitive, m.root, facet.normal, true});
   }
   return met;
 }
 
-void collect_contacts(const World& world, const Ray& ray, const MetList& met, Hit& hit) {
+void collect_contacts(const World& world, const Ray& ray, const Candidates& candidates, const MetList& met,
+                      Hit& hit) {
   for (const Met& m : met) {
     const Primitive& primitive = world.primitives[m.primitive];
     const bool mixed = primitive.kind == Kind::facet && is_mixed(world, met, primitive.shape);
     const bool in_shape = mixed ? starts_inside(ray, primitive.shape) : !m.root.entering;
+    const bool joined = m.root.rim && encloses(*world.scene, primitive.shape) &&
+                        (m.passed || way_in(world, candidates, primitive.shape) != 0);
     hit.contacts.push_back(
-        {m.primitive, primitive.shape, m.root.face, !m.root.entering, in_shape, false, m.normal});
+        {m.primitive, primitive.shape, m.root.face, !m.root.entering, in_shape, false, m.normal, joined});
   }
   // The order in which the search found them must not show.
   std::sort(hit.contacts.begin(), hit.contacts.end(),
@@ -190,6 +243,26 @@ const Contact* met_at_start(const World& world, const Ray& ray) {
 
 }  // namespace
 
+void join(std::vector<Crossing>& rims) {
+  std::sort(rims.begin(), rims.end(), [](const Crossing& a, const Crossing& b) {
+    return std::make_tuple(a.shape, a.root.t, a.primitive) < std::make_tuple(b.shape, b.root.t, b.primitive);
+  });
+  std::vector<Crossing> kept;
+  for (auto first = rims.begin(); first != rims.end();) {
+    int way = 0;
+    auto last = first;
+    for (; last != rims.end() && last->shape == first->shape &&
+           last->root.t - last->root.error <= first->root.t + first->root.error;
+         ++last) {
+      way += last->root.entering ? 1 : -1;
+    }
+    for (; first != last; ++first) {
+      if (way == 0 || first->root.entering == (way > 0)) kept.push_back(*first);
+    }
+  }
+  rims = kept;
+}
+
 AtStart at_start(const Contact& contact, Kind kind, Vec3 direction) {
   const double outward = dot(contact.normal, direction);
   if (!contact.left && (contact.inside ? outward > 0 : outward < 0)) return AtStart::meets;
@@ -202,7 +275,8 @@ bool is_echo(const World& world, const Ray& ray, std::uint32_t primitive, const 
   const FacetPrimitive& facet = world.facets[world.primitives[primitive].record];
   for (const Contact& contact : ray.contacts) {
     if (contact.shape != shape) continue;
-    if (contact.in_shape != root.entering && !is_behind(facet, contact, ray)) continue;
+    const bool fits = contact.in_shape != root.entering || !encloses(*world.scene, shape);
+    if (fits && !is_behind(facet, contact, ray)) continue;
     // Until then the ray has not measurably left the facet that it starts on.
     const double rise = std::fabs(dot(contact.normal, ray.direction));
     if ((root.t - root.error) * rise > ray.origin_error) continue;
@@ -253,7 +327,7 @@ bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
   const double since = hit.root.t - std::max(first.earliest, 0.0);
   hit.root.error = std::min(hit.root.error, std::max(since, candidates.limit() - hit.root.t));
   hit.point_error = hit.root.error + 4 * k_u * max_abs(hit.point);
-  collect_contacts(world, ray, surfaces_at(world, ray, candidates, passed, hit), hit);
+  collect_contacts(world, ray, candidates, surfaces_at(world, ray, candidates, passed, hit), hit);
   return true;
 }
 
@@ -264,10 +338,13 @@ Ray ray_from(const World& world, const Hit& hit, Vec3 direction) {
   const Vec3 away = inside ? -hit.normal : hit.normal;
   for (Contact& contact : ray.contacts) {
     if (contact.shape == hit.shape) {
-      // The other facets of a mesh that the ray crosses here in the same way are crossed with this one.
-      if (contact.primitive == hit.primitive ||
-          (!turns_back && (dot(contact.normal, direction) < 0) == inside)) {
+      // The other facets of a mesh that the ray crosses here in the same way are crossed with this one, and
+      // so are those that are joined.
+      const bool goes_behind = dot(contact.normal, direction) < 0;
+      if (contact.primitive == hit.primitive || (!turns_back && goes_behind == inside)) {
         contact.inside = inside;
+      } else if (contact.joined) {
+        contact.inside = turns_back ? inside : goes_behind;
       }
       contact.in_shape = inside;
     }

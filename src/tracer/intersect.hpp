@@ -3,7 +3,9 @@
 // and met in the order in which their objects were added; the answer never depends on the order of the
 // search.
 
+#include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include "tracer/options.hpp"
 #include "tracer/world.hpp"
@@ -69,7 +71,7 @@ bool is_before(const World& world, const Ray& ray, std::uint32_t primitive, cons
 /// The part of the ray within the primitive's own bounds. A root counts only where this is not empty, which
 /// makes the answer the same for every tree.
 inline Interval own_interval(const World& world, std::uint32_t primitive, const Probe& probe) {
-  if (world.primitives[primitive].kind == Kind::plane) return {0, std::numeric_limits<double>::infinity()};
+  if (world.primitives[primitive].kind == Kind::plane) return {0, k_infinity};
   return interval(bounds(world, primitive), probe);
 }
 
@@ -80,6 +82,10 @@ inline Root within(Root root, const Interval& own) {
   root.error = std::min(root.error, own.leave - enter);
   return root;
 }
+
+/// Of crossings at the rims of closed meshes' facets, those in the way that is left over where a ray goes in,
+/// out and in again at one point.
+void join(std::vector<Crossing>& rims);
 
 template <class Visit>
 bool crossings(const World& world, const Ray& ray, double distance, Stats& stats, Visit visit) {
@@ -103,6 +109,7 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
     }
   }
   const Probe probe(ray);
+  std::vector<Crossing> rims;
   const auto test = [&](std::uint32_t primitive) {
     if (find_contact(ray.contacts, primitive)) return false;
     ++stats.shape_tests;
@@ -113,15 +120,22 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
       if (!(own.enter <= own.leave) || !(own.enter <= distance)) return false;
       const Root root = within(found.root[i], own);
       if (!before_end(primitive, root) || is_echo(world, ray, primitive, root)) continue;
-      if (visit(Crossing{primitive, world.primitives[primitive].shape, root})) return true;
+      const Crossing crossing{primitive, world.primitives[primitive].shape, root};
+      if (root.rim && encloses(*world.scene, crossing.shape)) {
+        rims.push_back(crossing);
+      } else if (visit(crossing)) {
+        return true;
+      }
     }
     return false;
   };
   for (const std::uint32_t primitive : world.unbounded) {
     if (test(primitive)) return true;
   }
-  return world.tree.traverse(probe, distance, stats.node_visits,
-                             [&](std::uint32_t item) { return test(world.bounded[item]); });
+  const auto test_item = [&](std::uint32_t item) { return test(world.bounded[item]); };
+  if (world.tree.traverse(probe, distance, stats.node_visits, test_item)) return true;
+  if (rims.size() > 1) join(rims);
+  return std::any_of(rims.begin(), rims.end(), visit);
 }
 
 }  // namespace lancer::tracer

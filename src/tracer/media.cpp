@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "tracer/shapes/solid_angle.hpp"
 
 namespace lancer::tracer {
 namespace {
 
 /// Where the ray first leaves the shape; infinite where it never does.
 Landing way_out(const World& world, std::uint32_t shape, const Probe& probe, Stats& stats) {
-  constexpr double k_infinity = std::numeric_limits<double>::infinity();
   Root nearest{k_infinity, 0, false};
   std::uint32_t through = world.first_primitive[shape];
   const auto test = [&](std::uint32_t primitive) {
@@ -45,9 +45,30 @@ bool may_coincide(const Landing& farther, const Landing& nearer) {
   return gap(farther, nearer) <= farther.span().before + nearer.span().after;
 }
 
-/// Is a ray from a point exactly on the shape's surface about to be inside?
-bool goes_in(const World& world, std::uint32_t shape, const Probe& probe) {
-  const Roots found = roots(world, world.first_primitive[shape], probe);
+const FacetPrimitive& facet_at(const World& world, std::uint32_t primitive) {
+  return world.facets[world.primitives[primitive].record];
+}
+
+/// A mesh as a point sees it that is exactly on it.
+Surrounding touched_mesh(const World& world, std::uint32_t shape, Vec3 p) {
+  Surrounding mesh{shape, true, {}, 0};
+  for (std::uint32_t i = world.first_primitive[shape]; i < world.first_primitive[shape + 1]; ++i) {
+    const Seen seen = seen_from(facet_at(world, i), p);
+    if (seen.touched) mesh.on.push_back(i);
+    mesh.turns += seen.turns;
+  }
+  return mesh;
+}
+
+/// Is a ray from a point exactly on the solid's surface about to be inside?
+bool goes_in(const World& world, const Surrounding& solid, const Probe& probe) {
+  if (!solid.on.empty()) {
+    double turns = solid.turns;
+    for (const std::uint32_t i : solid.on)
+      turns += turns_ahead(facet_at(world, i), probe.origin, probe.direction);
+    return turns > 0.5;
+  }
+  const Roots found = roots(world, world.first_primitive[solid.shape], probe);
   if (found.count == 2) return found.root[1].t > 0;
   return found.count == 1 && found.root[0].entering;
 }
@@ -80,7 +101,9 @@ std::vector<Surrounding> solids_around(const World& world, Vec3 p) {
   std::vector<Surrounding> around;
   for (const std::uint32_t shape : shapes) {
     const double where = side(world, shape, p);
-    if (where <= 0) around.push_back({shape, where == 0});
+    if (where > 0) continue;
+    const bool on_mesh = where == 0 && world.primitives[world.first_primitive[shape]].kind == Kind::facet;
+    around.push_back(on_mesh ? touched_mesh(world, shape, p) : Surrounding{shape, where == 0, {}, 0});
   }
   return around;
 }
@@ -96,7 +119,7 @@ OpenSolids open_at(const World& world, const std::vector<Surrounding>& around, V
   const Probe probe(origin, direction);
   std::vector<Way> ways;
   for (const Surrounding& solid : around) {
-    if (solid.touched && !goes_in(world, solid.shape, probe)) continue;
+    if (solid.touched && !goes_in(world, solid, probe)) continue;
     ways.push_back({solid.shape, around.size() == 1 ? Landing{} : way_out(world, solid.shape, probe, stats)});
   }
   std::sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return a.out.root.t > b.out.root.t; });

@@ -19,6 +19,9 @@ void cross(const World& world, OpenSolids& open, std::uint32_t shape, bool enter
 struct Surrounding {
   std::uint32_t shape = 0;
   bool touched = false;  // the point lies exactly on its surface
+  // Of a mesh that is touched: on which of its facets the point is, and how often the others run around it.
+  std::vector<std::uint32_t> on;
+  double turns = 0;
 };
 
 /// The solids that p lies in or on, in the order in which they were added.

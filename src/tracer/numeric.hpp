@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/double_double.hpp"
 #include "base/vec.hpp"
@@ -13,6 +14,7 @@ namespace lancer::tracer {
 
 /// The unit roundoff of a double.
 inline constexpr double k_u = 0x1p-53;
+inline constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 /// The bound of the relative error of n rounded operations (Higham, Accuracy and Stability, section 3.1).
 constexpr double gamma(int n) { return n * k_u / (1 - n * k_u); }

@@ -6,14 +6,16 @@
 
 namespace lancer::tracer {
 
-/// A point in a shape's own space, and how far, at most, rounding moved each coordinate.
+/// A point in a shape's own space, to twice the precision, and how far, at most, rounding moved each
+/// coordinate.
 struct OwnPoint {
   Vec3 point;
   Vec3 error;
+  Vec3 rest{};  // what is below the point's last bits
 };
 
-/// A world point, off by at most `error`, in the space before `transform`.
-OwnPoint own_point(const Transform& transform, Vec3 p, double error);
+/// A point of the world's own space, off by at most `error`, in the space of the shape before its transform.
+OwnPoint own_point(const World& world, std::uint32_t shape, Vec3 p, double error);
 
 /// How far rounding may have moved p, a point that was projected on the primitive, off its surface.
 double pattern_error(const World& world, std::uint32_t primitive, Vec3 p);

@@ -17,6 +17,12 @@ double image_error(const Affine& map, Vec3 p) {
   return 8 * k_u * max_abs(apply_abs(map.rows, p) + abs(map.translation));
 }
 
+/// Where the map puts a point of the shape's own space, in that of the world; rounded once.
+Place placed(const World& world, const Affine& map, const Place& own) {
+  return (is_identity(map) ? own : map.place(own)).from(world.origin);
+}
+Vec3 placed(const World& world, const Affine& map, Vec3 own) { return placed(world, map, Place{own, {}}).at; }
+
 /// Does the map keep angles, within rounding? `factor` is by how much it scales.
 bool is_similarity(const Affine& map, double& factor) {
   const Rows& m = map.rows;
@@ -43,7 +49,7 @@ void append(World& world, std::vector<T>& records, const T& record, Kind kind, s
 
 void add_sphere(World& world, std::uint32_t shape, const scene::Sphere& sphere, const Transform& transform) {
   const Affine& map = transform.to_world;
-  const Vec3 center = map.point(sphere.center);
+  const Vec3 center = placed(world, map, sphere.center);
   const double reach = max_abs(apply_abs(map.rows, {sphere.radius, sphere.radius, sphere.radius}));
   const double slack = image_error(map, sphere.center) + (is_identity(map) ? 2 : 8) * k_u * reach;
   double factor = 1;
@@ -71,20 +77,32 @@ int axis_across(Vec3 normal, double level) {
 
 void add_plane(World& world, std::uint32_t shape, const scene::Plane& plane, const Transform& transform) {
   const Affine& map = transform.to_world;
-  const bool placed = !is_identity(map);
+  const bool turned = !is_identity(map);
   Vec3 n = plane.normal;
   double level = plane.offset * length(n);
-  if (placed) n = transform.normal_to_world(n);
+  if (turned) n = transform.normal_to_world(n);
   const int exponent = std::ilogb(max_abs(n));
   n = {std::scalbn(n.x, -exponent), std::scalbn(n.y, -exponent), std::scalbn(n.z, -exponent)};
   level = std::scalbn(level, -exponent);
+  const Place at = placed(world, map, Place{plane.point, {}});
   const double slack = image_error(map, plane.point) + 4 * k_u * std::fabs(level) / length(n);
   // A normal along an axis that no transform turned is no rounded one.
   const bool along_axis = axis_across(n, 0) >= 0;
-  const double normal_error = (placed ? 16 : along_axis ? 0 : 2) * k_u;
-  const PlanePrimitive placed_plane{
-      map.point(plane.point), n, level, unit(n), sum_abs(n), slack, normal_error, axis_across(n, level)};
-  append(world, world.planes, placed_plane, Kind::plane, shape);
+  const double normal_error = (turned ? 16 : along_axis ? 0 : 2) * k_u;
+  // One across an axis is a coordinate, rounded like others.
+  if (!along_axis) level += dot(n, at.rest);
+  const PlanePrimitive out{at.at, n, level, unit(n), sum_abs(n), slack, normal_error, axis_across(n, level)};
+  append(world, world.planes, out, Kind::plane, shape);
+}
+
+Place middle(Vec3 a, Vec3 b) {
+  Place out;
+  for (int axis = 0; axis < 3; ++axis) {
+    const DoubleDouble sum = two_sum(a[axis] * 0.5, b[axis] * 0.5);
+    out.at[axis] = sum.hi;
+    out.rest[axis] = sum.lo;
+  }
+  return out;
 }
 
 void add_box(World& world, std::uint32_t shape, const scene::Box& box, const Transform& transform) {
@@ -96,14 +114,14 @@ void add_box(World& world, std::uint32_t shape, const scene::Box& box, const Tra
                     std::fmax(std::fabs(box.lo.z), std::fabs(box.hi.z))};
   out.slack = image_error(map, corner);
   if (keeps_axes(map)) {
-    Aabb placed;
-    placed.add(map.point(box.lo));
-    placed.add(map.point(box.hi));
-    out.lo = placed.lo;
-    out.hi = placed.hi;
+    Aabb extent;
+    extent.add(placed(world, map, box.lo));
+    extent.add(placed(world, map, box.hi));
+    out.lo = extent.lo;
+    out.hi = extent.hi;
   } else {
     out.aligned = false;
-    out.center = map.point(box.lo * 0.5 + box.hi * 0.5);
+    out.center = placed(world, map, middle(box.lo, box.hi)).at;
     const Vec3 half = box.hi * 0.5 - box.lo * 0.5;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 row = map.rows[i];
@@ -121,9 +139,9 @@ void add_box(World& world, std::uint32_t shape, const scene::Box& box, const Tra
 void add_facet(World& world, std::uint32_t shape, const std::array<Vec3, 3>& corners, std::uint32_t face,
                const Affine& map) {
   FacetPrimitive facet;
-  facet.a = map.point(corners[0]);
-  facet.b = map.point(corners[1]);
-  facet.c = map.point(corners[2]);
+  facet.a = placed(world, map, corners[0]);
+  facet.b = placed(world, map, corners[1]);
+  facet.c = placed(world, map, corners[2]);
   facet.flipped = determinant(map) < 0;
   facet.face = face;
   for (const Vec3 corner : corners) facet.slack = std::fmax(facet.slack, image_error(map, corner));

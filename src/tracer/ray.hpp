@@ -19,6 +19,7 @@ struct Contact {
   bool in_shape = false;  // the ray starts inside the shape; for all but facets of a mesh the same
   bool left = false;      // the surface that this ray leaves, which it never meets here
   Vec3 normal;            // outward, unit length, at the start
+  bool joined = false;    // one of the facets of a closed mesh that meet here and are crossed as one
 };
 using Contacts = SmallList<Contact, 2>;
 
@@ -65,6 +66,7 @@ struct Root {
   bool entering = true;
   bool loose = false;     // the ray all but lies in the surface, whose slack may put the crossing anywhere
   std::uint8_t face = 0;  // of a box: 2 axis, + 1 for the upper side
+  bool rim = false;       // met by exact arithmetic, perhaps at the very rim of a facet
 };
 
 /// None, one or two crossings in ascending order of t.

@@ -11,6 +11,7 @@
 
 #include "tracer/camera.hpp"
 #include "tracer/media.hpp"
+#include "tracer/origin.hpp"
 #include "tracer/radiance.hpp"
 #include "tracer/sample.hpp"
 
@@ -178,10 +179,10 @@ Rendered render(const scene::Scene& scene, const scene::View& view, const Option
   Rendered out;
   const int columns = options.columns.value_or(view.columns), rows = options.rows.value_or(view.rows);
   const auto build_start = std::chrono::steady_clock::now();
-  const World world = prepare(scene, watch.cancel);
+  const World world = prepare(scene, world_origin(scene, view.eye), watch.cancel);
   const Plan needed = plan(scene, view, options);
   Job job{{&world, &needed, watch.cancel},
-          Camera(view, columns, rows),
+          Camera(view, columns, rows, world.origin),
           {0, 0, columns, rows},
           options.samples,
           {}};

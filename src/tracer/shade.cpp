@@ -105,7 +105,7 @@ Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow
   const Surface surface = surface_at(*tracing.world, ray, hit);
   Shaded out{Joined(scene.settings.sum), {}, {}};
   out.own.add(surface.ambient * scene.settings.ambient);
-  for (const scene::Light& light : scene.lights) {
+  for (const scene::Light& light : tracing.world->lights) {
     if (tracing.cancelled()) break;
     out.own.add(from_light(tracing, light, ray, hit, surface, stats));
   }

@@ -30,9 +30,8 @@ Color transmission(const World& world, const Ray& ray, const Crossing& crossing)
   if (material.transmission.pattern == scene::k_none) return material.transmission.color;
   const Vec3 on_ray = ray.origin + ray.direction * crossing.root.t;
   const Vec3 p = project(world, crossing.primitive, on_ray, crossing.root.face);
-  const Transform& transform = world.scene->transforms[world.scene->shapes[crossing.shape].transform];
   return color_at(*world.scene, material.transmission,
-                  own_point(transform, p, pattern_error(world, crossing.primitive, p)));
+                  own_point(world, crossing.shape, p, pattern_error(world, crossing.primitive, p)));
 }
 
 bool casts(const World& world, const Crossing& crossing) {

@@ -42,8 +42,7 @@ Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {
   const scene::Material& m = world.material_of(hit.shape);
   OwnPoint at;
   if (has_pattern(m)) {
-    const Transform& transform = scene.transforms[scene.shapes[hit.shape].transform];
-    at = own_point(transform, hit.point, pattern_error(world, hit.primitive, hit.point));
+    at = own_point(world, hit.shape, hit.point, pattern_error(world, hit.primitive, hit.point));
   }
   return {shading_normal(world, ray, hit),
           color_at(scene, m.ambient, at),

@@ -1,12 +1,21 @@
 #include "tracer/world.hpp"
 
 #include "tracer/prepare.hpp"
+#include "tracer/shapes/rim.hpp"
+#include "tracer/shapes/solid_angle.hpp"
 
 namespace lancer::tracer {
 
-World prepare(const scene::Scene& scene, const std::atomic<bool>* cancel) {
+World prepare(const scene::Scene& scene, Vec3 origin, const std::atomic<bool>* cancel) {
   World world;
   world.scene = &scene;
+  world.origin = origin;
+  world.lights = scene.lights;
+  for (scene::Light& light : world.lights) {
+    const Place at = Place{light.at, light.at_rest}.from(origin);
+    light.at = at.at;
+    light.at_rest = at.rest;
+  }
   for (std::uint32_t shape = 0; shape < scene.shapes.size(); ++shape) {
     world.first_primitive.push_back(static_cast<std::uint32_t>(world.primitives.size()));
     add_primitives(world, shape);
@@ -40,6 +49,22 @@ bool encloses(const scene::Scene& scene, std::uint32_t shape) {
   return s.kind != scene::ShapeKind::facet;
 }
 
+namespace {
+
+/// Of a facet; at its rim, where it is of a closed mesh, only if a ray beside that one crosses it.
+Roots facet_roots(const World& world, const Primitive& p, const Probe& probe) {
+  const FacetPrimitive& facet = world.facets[p.record];
+  Roots found = roots(facet, probe);
+  if (found.root[0].rim && encloses(*world.scene, p.shape) &&
+      !is_crossed_beside(facet, probe.origin, probe.direction)) {
+    found.count = 0;
+    found.passes = true;
+  }
+  return found;
+}
+
+}  // namespace
+
 Roots roots(const World& world, std::uint32_t primitive, const Probe& probe) {
   const Primitive p = world.primitives[primitive];
   switch (p.kind) {
@@ -47,7 +72,7 @@ Roots roots(const World& world, std::uint32_t primitive, const Probe& probe) {
     case Kind::ellipsoid: return roots(world.ellipsoids[p.record], probe);
     case Kind::plane: return roots(world.planes[p.record], probe);
     case Kind::box: return roots(world.boxes[p.record], probe);
-    case Kind::facet: return roots(world.facets[p.record], probe);
+    case Kind::facet: return facet_roots(world, p, probe);
   }
   return {};
 }
@@ -136,7 +161,11 @@ double side(const World& world, std::uint32_t shape, Vec3 at) {
     case Kind::facet: break;
   }
   double turns = 0;
-  for (std::uint32_t i = first; i < last; ++i) turns += winding(world.facets[world.primitives[i].record], at);
+  for (std::uint32_t i = first; i < last; ++i) {
+    const Seen seen = seen_from(world.facets[world.primitives[i].record], at);
+    if (seen.touched) return 0;
+    turns += seen.turns;
+  }
   return turns > 0.5 ? -1 : 1;
 }
 

@@ -32,6 +32,7 @@ struct SolidMesh {
 
 struct World {
   const scene::Scene* scene = nullptr;
+  Vec3 origin;  // of the world's own space, in the scene's; everything below is in the world's
   std::vector<SpherePrimitive> spheres;
   std::vector<EllipsoidPrimitive> ellipsoids;
   std::vector<PlanePrimitive> planes;
@@ -44,6 +45,7 @@ struct World {
   std::vector<std::uint32_t> bounded;          // the primitive of each item of the tree
   Bvh tree;
   std::vector<SolidMesh> solid_meshes;
+  std::vector<scene::Light> lights;
 
   const scene::Shape& shape_of(std::uint32_t primitive) const {
     return scene->shapes[primitives[primitive].shape];
@@ -53,9 +55,9 @@ struct World {
   }
 };
 
-/// `scene` must outlive the world. Facets without an area are left out. Once `cancel` is set it returns soon,
-/// with an unusable world.
-World prepare(const scene::Scene& scene, const std::atomic<bool>* cancel = nullptr);
+/// `scene` must outlive the world, whose own space starts at `origin` of the scene's. Facets without an area
+/// are left out. Once `cancel` is set it returns soon, with an unusable world.
+World prepare(const scene::Scene& scene, Vec3 origin = {}, const std::atomic<bool>* cancel = nullptr);
 
 /// Does the shape have an inside? All have but facets and open meshes.
 bool encloses(const scene::Scene& scene, std::uint32_t shape);
@@ -63,6 +65,8 @@ bool encloses(const scene::Scene& scene, std::uint32_t shape);
 // --- What every kind of primitive can do; see shapes/
 // --------------------------------------------------------------
 
+/// A ray at an edge or corner that facets share meets every one of them; those of a mesh that encloses
+/// something as a ray beside it does (shapes/rim.hpp), the others it passes.
 Roots roots(const World& world, std::uint32_t primitive, const Probe& probe);
 /// Of a convex solid.
 Root exit(const World& world, std::uint32_t primitive, Vec3 origin, Vec3 direction);

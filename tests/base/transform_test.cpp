@@ -166,4 +166,31 @@ TEST_CASE("transform: normals travel by the inverse transpose", "[transform]") {
   CHECK(t.normal_to_world({1, 1, 0}) == Vec3{0.5, 1, 0});
 }
 
+TEST_CASE("transform: far moves keep what is below the last bits of their sum", "[transform]") {
+  // 2^60 + 0.1 is 2^60 in doubles, and back again 0.
+  const Affine there = translation({0x1p60, 0, -0x1p60}), back = translation({-0x1p60, 0, 0x1p60});
+  const Affine moved = then(translation({0.1, 0.2, 0.3}), there);
+  CHECK(moved.translation == Vec3{0x1p60, 0.2, -0x1p60});
+  CHECK(moved.rest == Vec3{0.1, 0, 0.3});
+  CHECK(then(moved, back) == translation({0.1, 0.2, 0.3}));
+  CHECK(then(then(translation({0.1, 0.2, 0.3}), then(there, scaling({2, 1, 4}))),
+             translation({-0x1p61, 0, 0x1p62})) == then(translation({0.1, 0.2, 0.3}), scaling({2, 1, 4})));
+  const auto inverse_of = inverse(moved);
+  REQUIRE(inverse_of);
+  CHECK(inverse_of->translation == Vec3{-0x1p60, -0.2, 0x1p60});
+  CHECK(inverse_of->rest == Vec3{-0.1, 0, -0.3});
+}
+
+TEST_CASE("transform: a place is known to twice the precision", "[transform]") {
+  const Place at = translation({0x1p60, 0, 0}).place({{0.1, 0.2, 0.3}, {}});
+  CHECK(at.at == Vec3{0x1p60, 0.2, 0.3});
+  CHECK(at.rest == Vec3{0.1, 0, 0});
+  CHECK(at.from({0x1p60, 0, 0}).at == Vec3{0.1, 0.2, 0.3});
+  CHECK(at.from({0x1p60, 0, 0}).rest == Vec3{});
+  // Near the end of the range of numbers it is known to one.
+  const Place huge = translation({1e307, 0, 0}).place({{1e307, 1, 1}, {}});
+  CHECK(huge.at == Vec3{2e307, 1, 1});
+  CHECK(huge.rest == Vec3{});
+}
+
 }  // namespace lancer

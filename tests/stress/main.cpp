@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "stress/report.hpp"
-#include "stress/stress.hpp"
+#include "stress/rows/rows.hpp"
 
 namespace lancer::stress {
 namespace {

@@ -1,6 +1,7 @@
 #include "stress/stress.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace lancer::stress {
 
@@ -14,6 +15,16 @@ Measure::Measure()
       point_max(k_unknown),
       normal_max(k_unknown),
       nanoseconds(k_unknown) {}
+
+Measure measure_in_use(std::string method, std::uint64_t rays, std::uint64_t wrong, std::uint64_t in_band) {
+  Measure measure;
+  measure.method = std::move(method);
+  measure.in_use = true;
+  measure.rays = rays;
+  measure.wrong = wrong;
+  measure.in_band = in_band;
+  return measure;
+}
 
 bool Outcome::met() const {
   for (const Limit& limit : limits) {

@@ -31,6 +31,10 @@ struct Measure {
   Measure();
 };
 
+/// Of what the tracer does, with nothing measured but these.
+Measure measure_in_use(std::string method, std::uint64_t rays = 0, std::uint64_t wrong = 0,
+                       std::uint64_t in_band = 0);
+
 /// A goal: `value` is at most `limit`.
 struct Limit {
   std::string what;
@@ -52,22 +56,7 @@ struct Row {
 };
 using Rows = std::vector<Row>;
 
-/// Every row, in the order in which they are told.
-Rows all_rows();
-
 /// Is the name what the pattern means: * any characters, ? any one?
 bool matches(std::string_view pattern, std::string_view name);
-
-// One for each file of rows.
-void add_sphere_rows(Rows& rows);
-void add_ellipsoid_rows(Rows& rows);
-void add_plane_rows(Rows& rows);
-void add_facet_rows(Rows& rows);
-void add_box_rows(Rows& rows);
-void add_mesh_rows(Rows& rows);
-void add_secondary_rows(Rows& rows);
-void add_picture_rows(Rows& rows);
-void add_media_rows(Rows& rows);
-void add_exact_rows(Rows& rows);
 
 }  // namespace lancer::stress

@@ -114,3 +114,33 @@ TEST_CASE("pattern: black is told from dark", "[pattern]") {
   CHECK(is_black(s, {{}, scene::k_none}));
   CHECK_FALSE(is_black(s, {grey(1e-300), scene::k_none}));
 }
+
+TEST_CASE("pattern: far from the origin a boundary lies where it is, not where sums are rounded to",
+          "[pattern]") {
+  const scene::Pattern p = pattern(scene::Pattern::Kind::checker);
+  // 2^60 + 512 - 0.1 is rounded to the boundary 2^60 + 512, but lies in the odd cell before it.
+  const double far = 0x1p60 + 512;
+  CHECK(color_at(p, {{far, 0.5, 0.5}, {}, {-0.1, 0, 0}}) == k_b);
+  CHECK(color_at(p, {{far, 0.5, 0.5}, {}, {0.1, 0, 0}}) == k_a);
+  CHECK(color_at(p, {{far, 0.5, 0.5}, {}, {-41.5, 0, 0}}) == k_a);
+  CHECK(color_at(p, {{far, 0.5, 0.5}, {0.2, 0, 0}, {-0.1, 0, 0}}) == k_a);
+  scene::Pattern g = pattern(scene::Pattern::Kind::gradient);
+  g.from = {0x1p60, 0, 0};
+  g.to = {0x1p60 + 256, 0, 0};
+  CHECK(color_at(g, {{0x1p60, 0, 0}, {}, {64, 0, 0}}) == k_a * 0.75 + k_b * 0.25);
+}
+
+TEST_CASE("pattern: a shape's own point is found from wherever the world starts", "[pattern]") {
+  Scene s;
+  add_sphere(s, {0, 0, 0}, 1, {}, then(rotation({0, 90, 0}), translation({0x1p60, 5, 0})));
+  add_sphere(s, {0, 0, 0}, 1);
+  const World near = prepare(s, {0x1p60, 4, 0}), far = prepare(s);
+  // (0.25, 1.5, 0.125) past the origin is (0.25, 0.5, 0.125) past the centre; a quarter turn about y, undone.
+  const OwnPoint turned = own_point(near, 0, {0.25, 1.5, 0.125}, 0);
+  CHECK(turned.point == Vec3{-0.125, 0.5, 0.25});
+  const OwnPoint plain = own_point(near, 1, {0.25, 1.5, 0.125}, 1e-9);
+  CHECK(plain.point == Vec3{0x1p60, 5.5, 0.125});
+  CHECK(plain.rest == Vec3{0.25, 0, 0});
+  CHECK(plain.error == Vec3{1e-9, 1e-9, 1e-9});
+  CHECK(own_point(far, 1, {0.25, 1.5, 0.125}, 0).point == Vec3{0.25, 1.5, 0.125});
+}

@@ -30,7 +30,7 @@ void add_kind(Scene& s, int kind, const Material& m, const Affine& map) {
 const double k_scales[] = {1e-9, 1e-5, 1, 1e3, 1e9};
 const Vec3 k_offsets[] = {{0, 0, 0}, {1e6, -0.75e6, 0.5e6}};  // in sizes
 
-struct Place {
+struct Placing {
   double size;
   Vec3 offset;
   Affine map() const { return then(scaling({size, size, size}), translation(offset * size)); }
@@ -40,18 +40,18 @@ struct Place {
 template <class Test>
 void in_every_place(Test test) {
   for (const double size : k_scales) {
-    for (const Vec3 offset : k_offsets) test(Place{size, offset});
+    for (const Vec3 offset : k_offsets) test(Placing{size, offset});
   }
 }
 
-scene::View look_at_origin(const Place& place, Vec3 eye) {
+scene::View look_at_origin(const Placing& place, Vec3 eye) {
   return view(place.point(eye), -eye, k_pixels, 30);
 }
 
 }  // namespace
 
 TEST_CASE("scale: no lit convex shape shadows itself, at any size and place", "[scale]") {
-  in_every_place([](const Place& place) {
+  in_every_place([](const Placing& place) {
     for (int kind = 0; kind < k_kinds; ++kind) {
       Scene s;
       add_kind(s, kind, matt(1), place.map());
@@ -68,7 +68,7 @@ TEST_CASE("scale: no lit convex shape shadows itself, at any size and place", "[
 }
 
 TEST_CASE("scale: no convex mirror shows itself, at any size and place", "[scale]") {
-  in_every_place([](const Place& place) {
+  in_every_place([](const Placing& place) {
     for (int kind = 0; kind < k_kinds; ++kind) {
       Scene s;
       s.settings.background = grey(1);
@@ -84,7 +84,7 @@ TEST_CASE("scale: no convex mirror shows itself, at any size and place", "[scale
 }
 
 TEST_CASE("scale: every way into a clear solid has its way out", "[scale]") {
-  in_every_place([](const Place& place) {
+  in_every_place([](const Placing& place) {
     for (const int kind : {0, 1, 2, 3, 5}) {
       Scene s;
       s.settings.background = grey(1);
@@ -102,7 +102,7 @@ TEST_CASE("scale: every way into a clear solid has its way out", "[scale]") {
 
 TEST_CASE("scale: a glass ball bends light alike at any size and place", "[scale]") {
   std::vector<float> expected;
-  in_every_place([&](const Place& place) {
+  in_every_place([&](const Placing& place) {
     Scene s;
     s.settings.ambient = grey(1);
     Material ruler = glowing(1);
@@ -162,7 +162,7 @@ TEST_CASE("scale: lengths times a power of two change no bit of the picture", "[
 
 TEST_CASE("scale: a ball on a floor is lit and shadowed alike at any size and place", "[scale]") {
   std::vector<float> expected;
-  in_every_place([&](const Place& place) {
+  in_every_place([&](const Placing& place) {
     Scene s;
     s.settings.ambient = {};
     add_plane(s, {0, 0, 0}, {0, 1, 0}, matt(0.9), place.map());

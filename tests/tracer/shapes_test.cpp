@@ -1,6 +1,7 @@
 #include "base/math.hpp"
 #include "build.hpp"
 #include "catch.hpp"
+#include "tracer/shapes/solid_angle.hpp"
 
 using namespace lancer;
 using namespace lancer::tracer;
@@ -269,7 +270,7 @@ TEST_CASE("mesh: the winding number tells inside from outside, mirrored too", "[
     CHECK(side(world, 0, {30, 0, 0}) > 0);
   }
   // The facet that spans the ends of the unit axes fills an eighth of what the origin sees.
-  CHECK(winding({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}, false, 0, 0}, {0, 0, 0}) == Approx(1.0 / 8));
+  CHECK(seen_from({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}, false, 0, 0}, {0, 0, 0}).turns == Approx(1.0 / 8));
 }
 
 TEST_CASE("shapes: bounds hold every point of the surface", "[shapes]") {

@@ -1,7 +1,5 @@
 #include "tracer/shapes/box.hpp"
 
-#include <limits>
-
 #include "tracer/shapes/careful.hpp"
 #include "tracer/shapes/linear_form.hpp"
 #include "tracer/shapes/newton.hpp"
@@ -9,8 +7,6 @@
 
 namespace lancer::tracer {
 namespace {
-
-constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 bool knows_sign(const Side& side) { return side.error == 0 || std::fabs(side.t) > side.error; }
 

@@ -1,8 +1,10 @@
 #include "tracer/shapes/careful.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "tracer/exact.hpp"
+#include "tracer/expansion.hpp"
 
 namespace lancer::tracer {
 namespace {
@@ -26,10 +28,58 @@ WideVec place(const ExactVec& o, const ExactVec& d, const Wide& t) {
   return {along(o.x, d.x), along(o.y, d.y), along(o.z, d.z)};
 }
 
+Landing bare_landing(double t, double rest, bool entering, Vec3 origin, Vec3 direction, int face = 0) {
+  const Root root{t, 0, entering, false, static_cast<std::uint8_t>(face)};
+  return {root, rest, 0, origin + direction * t, {}};
+}
 Landing bare_landing(const Wide& t, bool entering, Vec3 origin, Vec3 direction, int face = 0) {
   const double distance = t.convert_to<double>();
-  const Root root{distance, 0, entering, false, static_cast<std::uint8_t>(face)};
-  return {root, Wide(t - distance).convert_to<double>(), 0, origin + direction * distance, {}};
+  return bare_landing(distance, Wide(t - distance).convert_to<double>(), entering, origin, direction, face);
+}
+
+/// A facet's corners as seen from the start of a ray, and their determinants with its direction.
+template <class Number>
+struct Corners {
+  Triple<Number> a, b, c;
+  Triple<Number> bc;  // b x c
+  Number u, v, w;
+
+  Corners(const FacetPrimitive& facet, Vec3 origin, Vec3 direction)
+      : a(seen(facet.a, origin)), b(seen(facet.b, origin)), c(seen(facet.c, origin)), bc(cross(b, c)) {
+    const Triple<Number> d = {direction.x, direction.y, direction.z};
+    u = dot(d, bc);
+    v = dot(d, cross(c, a));
+    w = dot(d, cross(a, b));
+  }
+
+  /// Does the ray pass all edges on one side, or meet them?
+  bool surround() const {
+    const int least = std::min({u.sign(), v.sign(), w.sign()}),
+              most = std::max({u.sign(), v.sign(), w.sign()});
+    return least >= 0 || most <= 0;
+  }
+
+ private:
+  static Triple<Number> seen(Vec3 p, Vec3 from) {
+    return Triple<Number>{p.x, p.y, p.z} - Triple<Number>{from.x, from.y, from.z};
+  }
+};
+
+/// As careful(), but for the place, by expansions; false: not in their reach.
+bool careful_distance(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, Landings& out) {
+  for (const Vec3 v : {facet.a, facet.b, facet.c, origin, direction}) {
+    if (!is_expandable(v)) return false;
+  }
+  const Corners<Expansion> seen(facet, origin, direction);
+  const Expansion slope = seen.u + seen.v + seen.w;
+  if (!seen.surround() || slope.sign() == 0) return true;
+  const Expansion depth = dot(seen.a, seen.bc);
+  const DoubleDouble t = depth.sign() == 0 ? DoubleDouble{} : depth.rounded() / slope.rounded();
+  const double doubt = std::fabs(t.hi) * 0x1p-96;
+  if (t.hi + (t.lo - doubt) != t.hi || t.hi + (t.lo + doubt) != t.hi) return false;
+  const bool entering = (slope.sign() < 0) != facet.flipped;
+  out = {1, {bare_landing(t.hi, t.lo, entering, origin, direction), {}}};
+  return true;
 }
 
 /// The roots of a t^2 + 2 b t + c in ascending order, without cancellation; false: none.
@@ -178,11 +228,12 @@ Landings careful(const BoxPrimitive& box, Vec3 origin, Vec3 direction, Detail de
 
 Landings careful(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, Detail detail) {
   if (!is_finite(origin, direction)) return {};
-  const ExactVec o = exact(origin), d = exact(direction);
-  const ExactVec a = exact(facet.a) - o, b = exact(facet.b) - o, c = exact(facet.c) - o;
-  const int u = dot(d, cross(b, c)).sign(), v = dot(d, cross(c, a)).sign(), w = dot(d, cross(a, b)).sign();
-  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return {};
-  return meet({cross(b - a, c - a), 0.0, exact(facet.a)}, origin, direction, facet.flipped, detail);
+  Landings quick;
+  if (detail == Detail::distances && careful_distance(facet, origin, direction, quick)) return quick;
+  if (!Corners<Exact>(facet, origin, direction).surround()) return {};
+  const ExactVec a = exact(facet.a);
+  const ExactVec n = cross(exact(facet.b) - a, exact(facet.c) - a);
+  return meet({n, 0.0, a}, origin, direction, facet.flipped, detail);
 }
 
 bool careful_has_area(const FacetPrimitive& facet) {

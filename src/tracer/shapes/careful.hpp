@@ -1,6 +1,7 @@
 #pragma once
 // The crossings of a ray with a surface in exact arithmetic, for the rays of which the quick tests cannot
-// tell: every answer is that of the numbers as they are. A thousand times slower than those.
+// tell: every answer is that of the numbers as they are. A thousand times slower than those; where a facet is
+// met, without the place, some thirty times, so that meshes whose corners lie on the rays of a picture draw.
 
 #include "tracer/shapes/box.hpp"
 #include "tracer/shapes/ellipsoid.hpp"

@@ -1,6 +1,5 @@
 #include "tracer/shapes/facet.hpp"
 
-#include "base/math.hpp"
 #include "tracer/shapes/careful.hpp"
 #include "tracer/shapes/linear_form.hpp"
 #include "tracer/shapes/newton.hpp"
@@ -20,6 +19,9 @@ Sheared shear(Vec3 corner, const Probe& probe) {
   const double z = v[probe.kz];
   return {v[probe.kx] - probe.shear_x * z, v[probe.ky] - probe.shear_y * z, sum_abs(v)};
 }
+
+/// Far more than what the products of coordinates may lose by underflow.
+constexpr double k_underflow = 0x1p-1000;
 
 /// Is the ray on the same side of the three edges, each off by `doubt` at most? No: by more than `rim`, too.
 Answer same_side(double u, double v, double w, double doubt, double rim = 0) {
@@ -42,7 +44,8 @@ Verdict quick_test(const FacetPrimitive& f, const Probe& probe) {
   const double spread =
       std::fabs(a.x) + std::fabs(a.y) + std::fabs(b.x) + std::fabs(b.y) + std::fabs(c.x) + std::fabs(c.y);
   const double off = 5 * k_u * std::max(a.size, std::max(b.size, c.size));
-  const double doubt = (off + 2 * k_u * spread) * spread + 2 * off * off;
+  // Where the edge functions overflow, spread^2 does, too.
+  const double doubt = off * spread + 2 * k_u * (spread * spread) + 2 * off * off + k_underflow;
   return {same_side(u, v, w, doubt, 4 * f.slack * spread), u + v + w};
 }
 
@@ -55,10 +58,11 @@ Triple2 cross(const Triple2& a, const Triple2& b) {
 [[gnu::noinline, gnu::cold]] Verdict long_test(const FacetPrimitive& f, const Probe& probe) {
   const Triple2 a = exact_difference(f.a, probe.origin), b = exact_difference(f.b, probe.origin),
                 c = exact_difference(f.c, probe.origin);
+  const double size = std::max(sum_abs(rounded(a)), std::max(sum_abs(rounded(b)), sum_abs(rounded(c))));
+  if (!(size > 0x1p-400 && size < 0x1p400)) return {};  // Products in twice the precision want room.
   const double u = -dot(cross(b, c), probe.direction).hi;
   const double v = -dot(cross(c, a), probe.direction).hi;
   const double w = -dot(cross(a, b), probe.direction).hi;
-  const double size = std::max(sum_abs(rounded(a)), std::max(sum_abs(rounded(b)), sum_abs(rounded(c))));
   return {same_side(u, v, w, 256 * k_u * k_u * size * size), u + v + w};
 }
 
@@ -98,7 +102,10 @@ Roots roots(const FacetPrimitive& facet, const Probe& probe) {
   if (verdict.hits == Answer::no) return {0, {root, {}}, std::isfinite(root.t)};
   if (verdict.hits == Answer::yes && std::fabs(root.t) > root.error) return {1, {root, {}}};
   const Landings exactly = careful_landings(facet, probe.origin, probe.direction, Detail::distances);
-  return exactly.count == 1 ? exactly.roots() : Roots{0, {root, {}}, std::isfinite(root.t)};
+  if (exactly.count == 0) return {0, {root, {}}, std::isfinite(root.t)};
+  Roots found = exactly.roots();
+  found.root[0].rim = verdict.hits == Answer::unknown;
+  return found;
 }
 
 bool touches(const FacetPrimitive& f, Vec3 p, double tolerance) {
@@ -115,13 +122,14 @@ bool touches(const FacetPrimitive& f, Vec3 p, double tolerance) {
 
 Landing land(const FacetPrimitive& facet, Vec3 origin, Vec3 direction, const Root& root) {
   Landing landing{root, 0, 0, {}, facet.normal};
+  const Planar plane{facet.normal, 0, facet.a};
   if (land_quickly(facet, origin, direction, landing)) {
-    snap({facet.normal, 0, facet.a}, landing.point);
+    snap(plane, landing.point);
     set_slack(facet, origin, direction, landing);
     return landing;
   }
   if (take(careful_landings(facet, origin, direction, Detail::places), root.entering, landing)) {
-    snap({facet.normal, 0, facet.a}, landing.point);
+    snap(plane, landing.point);
     return landing;
   }
   landing.root = root;
@@ -165,15 +173,6 @@ Aabb bounds(const FacetPrimitive& facet) {
   box.add(facet.b);
   box.add(facet.c);
   return box.padded(facet.slack);
-}
-
-double winding(const FacetPrimitive& facet, Vec3 p) {
-  const auto unit = [p](Vec3 corner) { return normalize(corner - p); };
-  const Vec3 a = unit(facet.a), b = unit(facet.b), c = unit(facet.c);
-  const double numerator = lancer::dot(a, lancer::cross(b, c));
-  const double denominator = 1 + lancer::dot(a, b) + lancer::dot(b, c) + lancer::dot(c, a);
-  const double turns = math::atan2_deg(numerator, denominator) / 360;
-  return facet.flipped ? -turns : turns;
 }
 
 }  // namespace lancer::tracer

@@ -35,8 +35,5 @@ Vec3 project(const FacetPrimitive& facet, Vec3 p);
 /// Of a point on the facet; within [0, 1].
 Barycentric barycentric(const FacetPrimitive& facet, Vec3 p);
 Aabb bounds(const FacetPrimitive& facet);
-/// The solid angle in full spheres that the facet fills as seen from p, positive where p sees its back: the
-/// sum over a closed mesh is 1 inside and 0 outside (van Oosterom and Strackee 1983).
-double winding(const FacetPrimitive& facet, Vec3 p);
 
 }  // namespace lancer::tracer

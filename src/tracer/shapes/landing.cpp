@@ -1,7 +1,5 @@
 #include "tracer/shapes/landing.hpp"
 
-#include <limits>
-
 namespace lancer::tracer {
 namespace {
 
@@ -20,7 +18,7 @@ Span Landing::span() const {
   if (tilt < 1) return {root.error + far * tilt / (1 + tilt), root.error + far * tilt / (1 - tilt)};
   // The ray may be parallel to the surface: all that is known is where it cannot yet have come near it.
   const double nearest = std::fmax(0, far - root.error) / (1 + tilt);
-  return {std::fmax(root.t - nearest, root.error), std::numeric_limits<double>::infinity()};
+  return {std::fmax(root.t - nearest, root.error), k_infinity};
 }
 
 Triple2 near_one(const Triple2& v) {

@@ -29,8 +29,6 @@ Landings careful_landings(const PlanePrimitive& plane, Vec3 origin, Vec3 directi
   return found;
 }
 
-Planar plane_of(const PlanePrimitive& plane) { return {plane.normal, plane.level, plane.point}; }
-
 Roots roots_with(const PlanePrimitive& plane, Bounded slope, Bounded depth, double distance) {
   depth.error += depth_slack(plane, distance);
   slope.error += slope_slack(plane);
@@ -78,18 +76,19 @@ Roots roots(const PlanePrimitive& plane, const Probe& probe) {
 
 Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Root& root) {
   Landing landing{root, 0, 0, {}, plane.unit_normal};
+  const Planar own{plane.normal, plane.level, plane.point};
   if (plane.across >= 0) {
     if (land_quickly(Across{plane.across, plane.point[plane.across]}, origin, direction, landing)) {
       set_slack(plane, origin, direction, landing);
       return landing;
     }
-  } else if (land_quickly(plane_of(plane), origin, direction, landing)) {
-    snap(plane_of(plane), landing.point);
+  } else if (land_quickly(own, origin, direction, landing)) {
+    snap(own, landing.point);
     set_slack(plane, origin, direction, landing);
     return landing;
   }
   if (take(careful_landings(plane, origin, direction, Detail::places), root.entering, landing)) {
-    snap(plane_of(plane), landing.point);
+    snap(own, landing.point);
     return landing;
   }
   landing.root = root;

@@ -1,11 +1,7 @@
 #include "tracer/shapes/box.hpp"
 
-#include <limits>
-
 namespace lancer::tracer {
 namespace {
-
-constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 /// The slab test; false: missed.
 bool clip(const BoxPrimitive& box, Vec3 o, Vec3 d, Root& enter, Root& leave) {

@@ -1,7 +1,5 @@
 #include "tracer/shapes/facet.hpp"
 
-#include "base/math.hpp"
-
 namespace lancer::tracer {
 
 /// Moeller and Trumbore (Fast, Minimum Storage Ray/Triangle Intersection, 1997).
@@ -47,13 +45,6 @@ Aabb bounds(const FacetPrimitive& facet) {
   box.add(facet.b);
   box.add(facet.c);
   return box.padded(facet.slack);
-}
-
-double winding(const FacetPrimitive& facet, Vec3 p) {
-  const auto unit = [p](Vec3 corner) { return normalize(corner - p); };
-  const Vec3 a = unit(facet.a), b = unit(facet.b), c = unit(facet.c);
-  const double turns = math::atan2_deg(dot(a, cross(b, c)), 1 + dot(a, b) + dot(b, c) + dot(c, a)) / 360;
-  return facet.flipped ? -turns : turns;
 }
 
 }  // namespace lancer::tracer
