@@ -120,8 +120,9 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
   for (const std::uint32_t primitive : world.unbounded) {
     if (test(primitive)) return true;
   }
-  return world.tree.traverse(probe, distance, stats.node_visits,
-                             [&](std::uint32_t item) { return test(world.bounded[item]); });
+  return world.tree.traverse(
+      probe, distance, stats.node_visits, [&](std::uint32_t item) { return test(world.bounded[item]); },
+      Order::any);
 }
 
 }  // namespace lancer::tracer
