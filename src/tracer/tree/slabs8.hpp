@@ -48,7 +48,7 @@ class Slabs8 {
   /// The distance in the frame's unit, or somewhat more.
   LANCER_INLINE float limit(double distance) const {
     const double in_frame = distance * scale_ - before_;
-    return static_cast<float>(in_frame + std::fabs(in_frame) * k_slack + later_);
+    return static_cast<float>(std::min(in_frame + std::fabs(in_frame) * k_slack + later_, k_huge));
   }
 
   /// A bit for each child that the ray may meet up to the limit; `enter` is where.
