@@ -1,108 +1,77 @@
 #pragma once
 // A tree of boxes over numbered items. It knows nothing of shapes, and what is found never depends on how it
-// is built: it only leaves out what cannot matter.
+// is built: it only leaves out what cannot matter. No ray that meets an item's box is ever kept from the
+// item.
 
-#include <array>
 #include <atomic>
 #include <cstdint>
-#include <limits>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "tracer/aabb.hpp"
+#include "tracer/tree/build.hpp"
+#include "tracer/tree/walk.hpp"
 
 namespace lancer::tracer {
 
+/// Which of the boxes that a ray meets are looked into first.
+enum class Order : std::uint8_t { nearest_first, any };
+
 class Bvh {
  public:
-  struct Node {
-    Aabb box;
-    std::uint32_t first = 0;  // leaf: into items_; inner: the second child (the first one follows its parent)
-    std::uint32_t count = 0;  // of items; 0: an inner node
-    std::uint8_t axis = 0;    // inner: along which the children were split
-  };
+  using BoxOf = std::function<Aabb(std::uint32_t item)>;
 
   Bvh() = default;
-  /// Item numbers are those of `boxes`. Binned surface area heuristic (Wald 2007). Stops early, with an
-  /// unusable tree, once `cancel` is set.
-  explicit Bvh(const std::vector<Aabb>& boxes, const std::atomic<bool>* cancel = nullptr);
+  /// Over the items 0 .. count - 1, fewer than 2^30. `box_of` is asked more than once for each, from several
+  /// threads. Stops early, with an unusable tree, once `cancel` is set. The tree does not depend on the
+  /// number of threads.
+  Bvh(std::uint32_t count, const BoxOf& box_of, const std::atomic<bool>* cancel = nullptr);
 
-  /// Calls visit(item) for the items in every leaf that the ray may meet between 0 and `limit`, nearer boxes
-  /// first, until it returns true (then so does this). `limit` is read again at each node, so a visitor may
-  /// lower it.
+  /// Calls visit(item) for at least all items whose box the ray may meet between 0 and `limit`, as interval()
+  /// tells, until it returns true (then so does this). The direction has unit length. `limit` is read again
+  /// after each visit, so a visitor may lower it.
   template <class Visit>
-  bool traverse(const Probe& probe, const double& limit, std::uint64_t& node_visits, Visit visit) const;
+  bool traverse(const Probe& probe, const double& limit, std::uint64_t& node_visits, Visit visit,
+                Order order = Order::nearest_first) const;
 
-  /// Calls visit(item) for the items in every leaf whose box contains p.
+  /// Calls visit(item) for at least all items whose box contains p.
   template <class Visit>
   void around(Vec3 p, Visit visit) const;
 
-  const std::vector<Node>& nodes() const { return nodes_; }
-
-  /// No deeper than this.
-  static constexpr int k_max_depth = 96;
+  std::span<const Node> nodes() const { return {tree_.nodes.get(), tree_.node_count}; }
+  /// The first one is the whole tree's.
+  const std::vector<Frame>& frames() const { return tree_.frames; }
+  /// The items in the order of the leaves, each leaf's last one marked by k_last_item.
+  const std::vector<std::uint32_t>& items() const { return tree_.items; }
 
  private:
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> items_;
+  void around(Vec3 p, std::vector<std::uint32_t>& found) const;
+
+  Tree tree_;
 };
 
 template <class Visit>
-bool Bvh::traverse(const Probe& probe, const double& limit, std::uint64_t& node_visits, Visit visit) const {
-  if (nodes_.empty()) return false;
-  struct Waiting {
-    std::uint32_t node;
-    double enter;
+bool Bvh::traverse(const Probe& probe, const double& limit, std::uint64_t& node_visits, Visit visit,
+                   Order order) const {
+  if (tree_.node_count == 0) return false;
+  const auto visit_leaf = [](void* context, const std::uint32_t* item) {
+    for (;; ++item) {
+      if ((*static_cast<Visit*>(context))(*item & ~k_last_item)) return true;
+      if ((*item & k_last_item) != 0) return false;
+    }
   };
-  std::array<Waiting, k_max_depth + 1> stack;
-  std::size_t waiting = 0;
-  const Interval whole = interval(nodes_[0].box, probe);
-  if (whole.enter <= whole.leave) stack[waiting++] = {0, whole.enter};
-  while (waiting > 0) {
-    const Waiting next = stack[--waiting];
-    if (next.enter > limit) continue;
-    ++node_visits;
-    const Node& node = nodes_[next.node];
-    if (node.count > 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-        if (visit(items_[i])) return true;
-      }
-      continue;
-    }
-    const std::array<std::uint32_t, 2> children{next.node + 1, node.first};
-    const Interval lower = interval(nodes_[children[0]].box, probe);
-    const Interval upper = interval(nodes_[children[1]].box, probe);
-    const bool backwards = std::signbit(probe.direction[node.axis]);
-    const auto push = [&](const Interval& part, std::uint32_t child) {
-      if (part.enter <= part.leave && part.enter <= limit) stack[waiting++] = {child, part.enter};
-    };
-    if (backwards) {
-      push(lower, children[0]);
-      push(upper, children[1]);
-    } else {
-      push(upper, children[1]);
-      push(lower, children[0]);
-    }
-  }
-  return false;
+  const Walk walk{
+      tree_.nodes.get(), tree_.frames.data(), tree_.items.data(), probe, limit, node_visits, &visit,
+      visit_leaf};
+  return order == Order::any ? walk_in_any_order(walk) : walk_nearest_first(walk);
 }
 
 template <class Visit>
 void Bvh::around(Vec3 p, Visit visit) const {
-  if (nodes_.empty()) return;
-  std::array<std::uint32_t, k_max_depth + 1> stack;
-  std::size_t waiting = 0;
-  stack[waiting++] = 0;
-  while (waiting > 0) {
-    const std::uint32_t at = stack[--waiting];
-    const Node& node = nodes_[at];
-    if (!node.box.contains(p)) continue;
-    if (node.count > 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) visit(items_[i]);
-    } else {
-      stack[waiting++] = at + 1;
-      stack[waiting++] = node.first;
-    }
-  }
+  std::vector<std::uint32_t> found;
+  around(p, found);
+  for (const std::uint32_t item : found) visit(item);
 }
 
 }  // namespace lancer::tracer

@@ -133,7 +133,7 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
     if (test(primitive)) return true;
   }
   const auto test_item = [&](std::uint32_t item) { return test(world.bounded[item]); };
-  if (world.tree.traverse(probe, distance, stats.node_visits, test_item)) return true;
+  if (world.tree.traverse(probe, distance, stats.node_visits, test_item, Order::any)) return true;
   if (rims.size() > 1) join(rims);
   return std::any_of(rims.begin(), rims.end(), visit);
 }

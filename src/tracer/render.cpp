@@ -159,13 +159,18 @@ struct Worker {
   }
 };
 
-/// Runs the worker on `threads` threads, which may be more than the machine has.
-void on_threads(int threads, const Worker& worker) {
+/// Does the work where `threads` threads help, which may be more than the machine has.
+template <class Work>
+void with_threads(int threads, const Work& work) {
   constexpr auto k_limit = tbb::global_control::max_allowed_parallelism;
   const std::size_t now = tbb::global_control::active_value(k_limit);
   const tbb::global_control limit(k_limit, std::max(now, static_cast<std::size_t>(threads)));
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
+  tbb::task_arena(threads).execute(work);
+}
+
+/// Runs the worker on each of the threads.
+void on_threads(int threads, const Worker& worker) {
+  with_threads(threads, [&] {
     tbb::task_group group;
     for (int i = 1; i < threads; ++i) group.run(worker);
     group.run_and_wait(worker);
@@ -179,7 +184,10 @@ Rendered render(const scene::Scene& scene, const scene::View& view, const Option
   Rendered out;
   const int columns = options.columns.value_or(view.columns), rows = options.rows.value_or(view.rows);
   const auto build_start = std::chrono::steady_clock::now();
-  const World world = prepare(scene, world_origin(scene, view.eye), watch.cancel);
+  out.stats.threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+  World world;
+  with_threads(out.stats.threads,
+               [&] { world = prepare(scene, world_origin(scene, view.eye), watch.cancel); });
   const Plan needed = plan(scene, view, options);
   Job job{{&world, &needed, watch.cancel},
           Camera(view, columns, rows, world.origin),
@@ -197,7 +205,6 @@ Rendered render(const scene::Scene& scene, const scene::View& view, const Option
   const auto render_start = std::chrono::steady_clock::now();
   out.image =
       image::Image(std::max(0, job.region.x1 - job.region.x0), std::max(0, job.region.y1 - job.region.y0));
-  out.stats.threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
   Tiles tiles(job, watch, out.image);
   on_threads(out.stats.threads, {&tiles, &out.stats});
   tiles.join();

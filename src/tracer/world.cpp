@@ -22,13 +22,11 @@ World prepare(const scene::Scene& scene, Vec3 origin, const std::atomic<bool>* c
   }
   world.first_primitive.push_back(static_cast<std::uint32_t>(world.primitives.size()));
 
-  std::vector<Aabb> boxes;
   for (std::uint32_t primitive = 0; primitive < world.primitives.size(); ++primitive) {
     if (world.primitives[primitive].kind == Kind::plane) {
       world.unbounded.push_back(primitive);
     } else {
       world.bounded.push_back(primitive);
-      boxes.push_back(bounds(world, primitive));
     }
   }
   for (std::uint32_t shape = 0; shape < scene.shapes.size(); ++shape) {
@@ -39,7 +37,9 @@ World prepare(const scene::Scene& scene, Vec3 origin, const std::atomic<bool>* c
     }
     world.solid_meshes.push_back(mesh);
   }
-  world.tree = Bvh(boxes, cancel);
+  world.tree = Bvh(
+      static_cast<std::uint32_t>(world.bounded.size()),
+      [&](std::uint32_t item) { return bounds(world, world.bounded[item]); }, cancel);
   return world;
 }
 

@@ -3,6 +3,7 @@
 // `landing` and fills in the point and, where the surface is not flat, the normal; false where twice the
 // precision is not enough.
 
+#include "tracer/processor.hpp"
 #include "tracer/shapes/box.hpp"
 #include "tracer/shapes/ellipsoid.hpp"
 #include "tracer/shapes/facet.hpp"
@@ -36,7 +37,6 @@ struct Across {
 LANCER_LANDINGS(baseline)
 #if defined(LANCER_HAS_AVX2)
 LANCER_LANDINGS(avx2)
-inline const bool k_use_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #endif
 #undef LANCER_LANDINGS
 
