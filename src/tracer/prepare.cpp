@@ -25,10 +25,16 @@ Vec3 placed(const World& world, const Affine& map, Vec3 own) { return placed(wor
 
 /// Does the map keep angles, within rounding? `factor` is by how much it scales.
 bool is_similarity(const Affine& map, double& factor) {
-  const Rows& m = map.rows;
+  double most = 0;
+  for (const Vec3 row : map.rows) most = std::fmax(most, max_abs(row));
+  const int exponent = std::ilogb(most);
+  Rows m = map.rows;
+  for (Vec3& row : m) {
+    row = {std::scalbn(row.x, -exponent), std::scalbn(row.y, -exponent), std::scalbn(row.z, -exponent)};
+  }
   const double xx = dot(m[0], m[0]), yy = dot(m[1], m[1]), zz = dot(m[2], m[2]);
   const double tolerance = 64 * k_u * xx;
-  factor = std::sqrt(xx);
+  factor = std::scalbn(std::sqrt(xx), exponent);
   return std::fabs(xx - yy) <= tolerance && std::fabs(xx - zz) <= tolerance &&
          std::fabs(dot(m[0], m[1])) <= tolerance && std::fabs(dot(m[1], m[2])) <= tolerance &&
          std::fabs(dot(m[2], m[0])) <= tolerance;

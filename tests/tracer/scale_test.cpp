@@ -178,3 +178,16 @@ TEST_CASE("scale: a ball on a floor is lit and shadowed alike at any size and pl
     CHECK(off <= 6);  // an outline or a shadow's edge may fall on the other side of a pixel's centre
   });
 }
+
+TEST_CASE("scale: a sphere stays one, and no other becomes one, near the ends of the range of numbers",
+          "[scale]") {
+  for (const double size : {1e-290, 1e-170, 1.0, 1e170, 1e290}) {
+    Scene s;
+    add_sphere(s, {}, 1, {}, then(rotation({0, 90, 0}), scaling({size, size, size})));
+    add_sphere(s, {}, 1, {}, scaling({size, 2 * size, size}));
+    const World world = prepare(s);
+    REQUIRE(world.spheres.size() == 1);
+    CHECK(world.spheres[0].radius == size);
+    CHECK(world.ellipsoids.size() == 1);
+  }
+}

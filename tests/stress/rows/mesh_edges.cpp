@@ -129,8 +129,6 @@ void visit(Judgement& judgement, const char* set, const FacetCube& cube, const A
   tracer::Hit hit;
   const bool found = closest(cube.world, ray, stats, hit);
   if (!exact && !found) return;  // past the edge, for rounding
-  // One that touches the cube from outside is as one beside it, which may pass.
-  if (!found && exact && !arrival.inside && !arrival.goes_in(arrival.way)) return;
   if (!judgement.check(found && hit.root.entering != arrival.inside, set, text)) return;
   if (exact && (arrival.inside || arrival.goes_in(arrival.way)))
     judgement.check(light(cube, ray) == (arrival.inside ? 0.5 : 0.25), set, text);
