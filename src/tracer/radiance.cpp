@@ -3,10 +3,28 @@
 #include <utility>
 
 namespace lancer::tracer {
+namespace {
+
+/// No light of a ray counts nothing, however bright it may be.
+Color at_most(Color share, Color bound) {
+  return {share.r > 0 ? share.r * bound.r : 0, share.g > 0 ? share.g * bound.g : 0,
+          share.b > 0 ? share.b * bound.b : 0};
+}
+
+}  // namespace
 
 Color Tracer::radiance(Ray ray, int depth) {
-  return tracing_.world->scene->settings.sum == scene::Sum::linear ? linear(std::move(ray), depth)
-                                                                   : log(std::move(ray), depth);
+  const Plan& plan = *tracing_.plan;
+  if (!plan.recursion && !plan.faint_lights) return one_surface(ray);
+  if (tracing_.world->scene->settings.sum == scene::Sum::log) return log(std::move(ray), depth);
+  return plan.faint_rays || plan.faint_lights ? linear_to_error(std::move(ray), depth)
+                                              : linear(std::move(ray), depth);
+}
+
+Color Tracer::one_surface(const Ray& ray) {
+  Hit hit;
+  if (!closest(*tracing_.world, ray, stats_, hit)) return tracing_.world->scene->settings.background;
+  return shade(tracing_, ray, hit, false, stats_).own.value();
 }
 
 Color Tracer::linear(Ray first, int depth) {
@@ -33,6 +51,51 @@ Color Tracer::linear(Ray first, int depth) {
     };
     follow(shaded.reflected, stats_.reflected_rays);
     follow(shaded.transmitted, stats_.refracted_rays);
+  }
+  return sum;
+}
+
+Color Tracer::allowance(Color seen) const {
+  const Plan& plan = *tracing_.plan;
+  const auto of = [&](double light) {
+    return plan.faint_error / plan.exposure * tolerance(light * plan.exposure);
+  };
+  return {of(seen.r), of(seen.g), of(seen.b)};
+}
+
+Color Tracer::linear_to_error(Ray first, int depth) {
+  const Plan& plan = *tracing_.plan;
+  const scene::Settings& settings = tracing_.world->scene->settings;
+  Color sum, lost;
+  brightest_.clear();
+  brightest_.push({std::move(first), grey(1), depth}, {});
+  Hit hit;
+  for (bool is_first = true; !brightest_.empty() && !tracing_.cancelled(); is_first = false) {
+    if (!is_first && plan.faint_rays && brightest_.fit(allowance(sum) - lost)) {
+      stats_.rays_faint += brightest_.size();
+      break;
+    }
+    const Pending now = brightest_.pop();
+    if (!is_first) ++(now.transmitted ? stats_.refracted_rays : stats_.reflected_rays);
+    if (!closest(*tracing_.world, now.ray, stats_, hit)) {
+      sum += now.share * settings.background;
+      continue;
+    }
+    const Color for_lights = allowance(sum) * 0.5 - lost;
+    FaintLights faint(now.share, for_lights);
+    Shaded shaded =
+        shade(tracing_, now.ray, hit, now.depth > 0, stats_, plan.faint_lights ? &faint : nullptr);
+    lost += for_lights - faint.left();
+    sum += now.share * shaded.own.value();
+    const auto follow = [&](std::optional<Branch>& branch, bool transmitted) {
+      if (!branch) return;
+      const Color share = now.share * (branch->share + branch->also);
+      if (is_black(share)) return;
+      const Color most = plan.faint_rays ? at_most(share, plan.brightness.bound(now.depth - 1)) : Color{};
+      brightest_.push({std::move(branch->ray), share, now.depth - 1, transmitted}, most);
+    };
+    follow(shaded.reflected, false);
+    follow(shaded.transmitted, true);
   }
   return sum;
 }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tracer/faint.hpp"
 #include "tracer/shade.hpp"
 
 namespace lancer::tracer {
@@ -19,12 +20,6 @@ class Tracer {
   Stats& stats() { return stats_; }
 
  private:
-  /// A ray still to be followed, and what its radiance counts in the sum.
-  struct Pending {
-    Ray ray;
-    Color share;
-    int depth;
-  };
   /// A surface whose radiance waits for that of a ray (sum "log", where a share cannot be carried along).
   struct Waiting {
     Joined value;
@@ -33,12 +28,19 @@ class Tracer {
     bool then_transmitted;  // the last of `later_` is its second ray
   };
 
+  /// Where nothing goes on from what a ray meets.
+  Color one_surface(const Ray& ray);
   Color linear(Ray ray, int depth);
+  /// As linear(), but what is too faint to show is left out.
+  Color linear_to_error(Ray ray, int depth);
+  /// What may go missing in all from a sample that already sees `seen`.
+  Color allowance(Color seen) const;
   Color log(Ray ray, int depth);
 
   Tracing tracing_;
   Stats stats_;
   std::vector<Pending> pending_;
+  PendingRays brightest_;
   std::vector<Waiting> waiting_;
   std::vector<Branch> later_;
 };

@@ -98,13 +98,7 @@ class Tiles {
       draw(tracer, static_cast<int>(tile % across_), static_cast<int>(tile / across_));
     }
     const std::lock_guard lock(stats_mutex_);
-    const Stats& mine = tracer.stats();
-    total.primary_rays += mine.primary_rays;
-    total.reflected_rays += mine.reflected_rays;
-    total.refracted_rays += mine.refracted_rays;
-    total.shadow_rays += mine.shadow_rays;
-    total.shape_tests += mine.shape_tests;
-    total.node_visits += mine.node_visits;
+    total.add(tracer.stats());
   }
 
   bool finished() const { return bands_done_.load() == down_; }
@@ -178,8 +172,8 @@ Rendered render(const scene::Scene& scene, const scene::View& view, const Option
   Rendered out;
   const int columns = options.columns.value_or(view.columns), rows = options.rows.value_or(view.rows);
   const auto build_start = std::chrono::steady_clock::now();
-  const World world = prepare(scene, watch.cancel);
   const Plan needed = plan(scene, view, options);
+  const World world = prepare(scene, watch.cancel, needed.tree);
   Job job{{&world, &needed, watch.cancel},
           Camera(view, columns, rows),
           {0, 0, columns, rows},

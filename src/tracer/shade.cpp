@@ -25,45 +25,85 @@ Color reflected_light(const Surface& surface, Vec3 towards, Vec3 view, double n_
   return sum + surface.specular * math::pow(n_dot_h, surface.shininess);
 }
 
-Color from_light(const Tracing& tracing, const scene::Light& light, const Ray& ray, const Hit& hit,
-                 const Surface& surface, Stats& stats) {
-  const Incoming in = incoming(light, hit.point);
-  if (is_black(in.intensity)) return {};
-  const double n_dot_l = dot(surface.normal, in.towards);
-  if (!(n_dot_l > 0)) return {};
-  const Color unshadowed = in.intensity * reflected_light(surface, in.towards, -ray.direction, n_dot_l);
-  if (is_black(unshadowed)) return {};
-  if (tracing.plan->shadows == ShadowWork::none) return unshadowed;
-  const Ray shadow_ray = ray_from(*tracing.world, hit, in.towards);
-  return light_through(*tracing.world, tracing.plan->shadows, shadow_ray, in.distance, stats) * unshadowed;
+/// A surface that a ray met, for the lights and rays that are asked from there.
+struct Meeting {
+  const Tracing& tracing;
+  const Ray& ray;
+  const Hit& hit;
+  const Surface& surface;
+};
+
+/// The light's whole term without shadows. Nothing where it is known to be black, and need not be asked for
+/// shadows; why is counted.
+std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, const Bearing& from,
+                                Stats& stats) {
+  const Skips skips = at.tracing.plan->skips;
+  const double n_dot_l = dot(at.surface.normal, from.towards);
+  const bool in_front = n_dot_l > 0;
+  if (!in_front && skips.has(Skip::dark_lights)) {
+    ++stats.lights_behind;
+    return std::nullopt;
+  }
+  const Color arriving = intensity(light, from);
+  if (is_black(arriving) && skips.has(Skip::dark_lights)) {
+    ++stats.lights_outside_cone;
+    return std::nullopt;
+  }
+  const Color sent =
+      in_front ? arriving * reflected_light(at.surface, from.towards, -at.ray.direction, n_dot_l) : Color{};
+  if (is_black(sent) && in_front && !is_black(arriving) && skips.has(Skip::zero_terms)) {
+    ++stats.lights_unanswered;
+    return std::nullopt;
+  }
+  return sent;
+}
+
+Color from_light(const Meeting& at, const scene::Light& light, Stats& stats, FaintLights* faint) {
+  const Plan& plan = *at.tracing.plan;
+  const Bearing from = bearing(light, at.hit.point);
+  if (from.distance == 0) return {};
+  const std::optional<Color> sent = unshadowed(at, light, from, stats);
+  if (!sent) return {};
+  if (plan.shadows == ShadowWork::none) return *sent;
+  if (faint && faint->takes(*sent)) {
+    ++stats.lights_faint;
+    return {};
+  }
+  const World& world = *at.tracing.world;
+  const Ray shadow_ray = ray_from(world, at.hit, from.towards);
+  const Color through = light_through(world, plan.shadows, shadow_ray, from.distance, stats, plan.any_hit);
+  return is_black(*sent) ? Color{} : through * *sent;
 }
 
 /// The solids that a ray from the hit is inside of. A ray that only touches a sphere or box goes on outside,
 /// whichever way rounding has it.
-OpenSolids open_after(const Tracing& tracing, const Hit& hit, Vec3 direction, OpenSolids open) {
+OpenSolids open_after(const Tracing& tracing, const Hit& hit, Vec3 direction, OpenSolids open, Stats& stats) {
   const World& world = *tracing.world;
   if (!tracing.plan->media || !is_convex_solid(world.primitives[hit.primitive].kind)) return open;
+  ++stats.medium_changes;
   cross(world, open, hit.shape, dot(hit.normal, direction) < 0);
   return open;
 }
 
-Branch reflection(const Tracing& tracing, const Ray& ray, const Hit& hit, const Surface& surface,
-                  Color share) {
-  Branch branch{ray_from(*tracing.world, hit, mirrored(ray.direction, surface.normal)), share, {}};
-  branch.ray.open = open_after(tracing, hit, branch.ray.direction, ray.open);
+Branch reflection(const Meeting& at, Color share, Stats& stats) {
+  const Vec3 direction = mirrored(at.ray.direction, at.surface.normal);
+  Branch branch{ray_from(*at.tracing.world, at.hit, direction), share, {}};
+  branch.ray.open = open_after(at.tracing, at.hit, direction, at.ray.open, stats);
   return branch;
 }
 
 /// The two directions in which light goes on, and what of it.
-void add_branches(const Tracing& tracing, const Ray& ray, const Hit& hit, const Surface& surface,
-                  Shaded& out) {
+void add_branches(const Meeting& at, Shaded& out, Stats& stats) {
+  const auto& [tracing, ray, hit, surface] = at;
   const World& world = *tracing.world;
+  ++stats.branchings;
   Color mirror_share = surface.reflection;
   Color through_share = surface.transmission;
   if (!is_black(through_share)) {
     OpenSolids beyond = ray.open;
     double from = 1, to = 1;
     if (tracing.plan->media) {
+      ++stats.medium_changes;
       cross(world, beyond, hit.shape, hit.root.entering);
       from = refractive_index(world, ray.open);
       to = refractive_index(world, beyond);
@@ -75,16 +115,16 @@ void add_branches(const Tracing& tracing, const Ray& ray, const Hit& hit, const 
     }
     const std::optional<Vec3> direction = refracted(ray.direction, surface.normal, from, to);
     if (!direction) {
-      out.reflected = reflection(tracing, ray, hit, surface, mirror_share);
+      out.reflected = reflection(at, mirror_share, stats);
       out.reflected->also = through_share;
       return;
     }
     if (!is_black(through_share)) {
       out.transmitted = Branch{ray_from(world, hit, *direction), through_share, {}};
-      out.transmitted->ray.open = open_after(tracing, hit, *direction, beyond);
+      out.transmitted->ray.open = open_after(tracing, hit, *direction, beyond, stats);
     }
   }
-  if (!is_black(mirror_share)) out.reflected = reflection(tracing, ray, hit, surface, mirror_share);
+  if (!is_black(mirror_share)) out.reflected = reflection(at, mirror_share, stats);
 }
 
 }  // namespace
@@ -100,16 +140,29 @@ void Joined::add(Color term) {
 
 bool Joined::is_full() const { return how_ == scene::Sum::log && value_ == grey(1); }
 
-Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow, Stats& stats) {
+bool FaintLights::takes(Color light) {
+  constexpr double k_part = 1.0 / 16;
+  const Color lost = share_ * light;
+  if (lost.r > left_.r * k_part || lost.g > left_.g * k_part || lost.b > left_.b * k_part) return false;
+  left_ = left_ - lost;
+  return true;
+}
+
+Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow, Stats& stats,
+             FaintLights* faint) {
+  const Plan& plan = *tracing.plan;
   const scene::Scene& scene = *tracing.world->scene;
-  const Surface surface = surface_at(*tracing.world, ray, hit);
+  const MaterialNeeds& needs = plan.needs_of(scene.shapes[hit.shape].material);
+  const Surface surface = surface_at(*tracing.world, needs, ray, hit, follow, stats);
+  const Meeting at{tracing, ray, hit, surface};
   Shaded out{Joined(scene.settings.sum), {}, {}};
   out.own.add(surface.ambient * scene.settings.ambient);
-  for (const scene::Light& light : scene.lights) {
-    if (tracing.cancelled()) break;
-    out.own.add(from_light(tracing, light, ray, hit, surface, stats));
+  const std::size_t lights = plan.every_light ? scene.lights.size() : plan.lights.size();
+  for (std::size_t i = 0; needs.direct && i < lights && !tracing.cancelled(); ++i) {
+    out.own.add(from_light(at, scene.lights[plan.every_light ? i : plan.lights[i]], stats, faint));
   }
-  if (follow) add_branches(tracing, ray, hit, surface, out);
+  if (!needs.direct) stats.lights_unanswered += lights;
+  if (follow && needs.onward) add_branches(at, out, stats);
   return out;
 }
 

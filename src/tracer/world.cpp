@@ -4,7 +4,7 @@
 
 namespace lancer::tracer {
 
-World prepare(const scene::Scene& scene, const std::atomic<bool>* cancel) {
+World prepare(const scene::Scene& scene, const std::atomic<bool>* cancel, bool with_tree) {
   World world;
   world.scene = &scene;
   for (std::uint32_t shape = 0; shape < scene.shapes.size(); ++shape) {
@@ -15,7 +15,7 @@ World prepare(const scene::Scene& scene, const std::atomic<bool>* cancel) {
 
   std::vector<Aabb> boxes;
   for (std::uint32_t primitive = 0; primitive < world.primitives.size(); ++primitive) {
-    if (world.primitives[primitive].kind == Kind::plane) {
+    if (!with_tree || world.primitives[primitive].kind == Kind::plane) {
       world.unbounded.push_back(primitive);
     } else {
       world.bounded.push_back(primitive);

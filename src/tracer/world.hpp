@@ -53,9 +53,9 @@ struct World {
   }
 };
 
-/// `scene` must outlive the world. Facets without an area are left out. Once `cancel` is set it returns soon,
-/// with an unusable world.
-World prepare(const scene::Scene& scene, const std::atomic<bool>* cancel = nullptr);
+/// `scene` must outlive the world. Facets without an area are left out. Without a tree all primitives are
+/// `unbounded`: asked one by one. Once `cancel` is set it returns soon, with an unusable world.
+World prepare(const scene::Scene& scene, const std::atomic<bool>* cancel = nullptr, bool with_tree = true);
 
 /// Does the shape have an inside? All have but facets and open meshes.
 bool encloses(const scene::Scene& scene, std::uint32_t shape);
