@@ -26,6 +26,7 @@ class Planner {
     out_.skips = options.skips;
     out_.exposure = scene.settings.exposure;
     out_.primitives = has_.primitives;
+    out_.worn = shapes_with([](auto& w, auto&) { return w.any; }).size();
   }
 
   Plan run() {
@@ -108,7 +109,7 @@ void Planner::plan_recursion() {
   } else if (onward.empty()) {
     out_.recursion = !leave_out(Skip::recursion, "nothing reflects or lets light through");
   } else {
-    decide(Skip::recursion, Verdict::needed, "rays go on from {}", onward);
+    decide(Skip::recursion, Verdict::needed, "{} may reflect or let light through", onward);
   }
 }
 
@@ -123,11 +124,9 @@ void Planner::plan_lights() {
   if (scene_.lights.empty()) {
     leave_out(Skip::dark_lights, "there is no light");
   } else if (!dark.empty()) {
-    leave_out(Skip::dark_lights, "{} black; of the others those behind a surface or aimed elsewhere", dark,
-              Thing::Kind::light);
+    leave_out(Skip::dark_lights, "{}: black", dark, Thing::Kind::light);
   } else {
-    leave_out(Skip::dark_lights, "where a light is behind the surface, or aimed elsewhere", {},
-              Thing::Kind::light, Verdict::as_met);
+    leave_out(Skip::dark_lights, "", {}, Thing::Kind::light, Verdict::as_met);
   }
 }
 
@@ -149,10 +148,10 @@ void Planner::plan_terms() {
   if (scene_.lights.empty()) {
     leave_out(Skip::zero_terms, "there is no light");
   } else if (!zero.empty()) {
-    leave_out(Skip::zero_terms, "{} neither diffuse nor specular", zero);
-  } else {
-    leave_out(Skip::zero_terms, "where a surface sends none of a light back", {}, Thing::Kind::shape,
+    leave_out(Skip::zero_terms, "{}: neither diffuse nor specular", zero, Thing::Kind::shape,
               Verdict::as_met);
+  } else {
+    leave_out(Skip::zero_terms, "", {}, Thing::Kind::shape, Verdict::as_met);
   }
 }
 
@@ -248,20 +247,20 @@ void Planner::plan_patterns() {
     (needs.pattern ? seen : unseen).push_back(has_.wearers[m].any);
   }
   if (!seen.empty() && may(Skip::patterns)) {
-    decide(Skip::patterns, Verdict::as_met, "only the colours of {} that a term needs", seen);
+    decide(Skip::patterns, Verdict::as_met, "worn by {}", seen);
   } else if (unseen.empty() && seen.empty()) {
     leave_out(Skip::patterns, "nothing wears one");
   } else {
-    leave_out(Skip::patterns, "the colours of {} count in no term", unseen.empty() ? seen : unseen);
+    leave_out(Skip::patterns, "those of {} count in no term", unseen.empty() ? seen : unseen);
   }
 }
 
 void Planner::plan_tree() {
   const std::string many = std::to_string(has_.primitives);
   if (has_.primitives > k_longest_list) {
-    decide(Skip::tree, Verdict::needed, many + " things to meet are more than a list is good for");
+    decide(Skip::tree, Verdict::needed, many + " things are more than a list is good for");
   } else {
-    out_.tree = !leave_out(Skip::tree, many + " things to meet are asked one by one");
+    out_.tree = !leave_out(Skip::tree, many + " things are asked one by one");
   }
 }
 
@@ -289,22 +288,20 @@ void Planner::plan_faint() {
     decide(Skip::faint_lights, Verdict::needed, "{} may make a light brighter without bound", bright);
     return;
   }
-  out_.faint_lights =
-      leave_out(Skip::faint_lights, "where all of them together stay below an eighth of the error", {},
-                Thing::Kind::light, Verdict::as_met);
+  out_.faint_lights = leave_out(Skip::faint_lights, "all of them in a pixel: below an eighth of the error",
+                                {}, Thing::Kind::light, Verdict::as_met);
   if (!out_.recursion) {
     decide(Skip::faint_rays, Verdict::skipped, "no rays go on");
     return;
   }
   Brightness brightness(scene_);
   if (const auto& lamp = brightness.near_lamp()) {
-    decide(Skip::faint_rays, Verdict::needed, "{} may be as near as can be to a surface, and so as bright",
+    decide(Skip::faint_rays, Verdict::needed, "{} may be next to a surface, and so without bound",
            {lamp->light}, Thing::Kind::light);
     return;
   }
-  out_.faint_rays =
-      leave_out(Skip::faint_rays, "where all of them together stay below an eighth of the error", {},
-                Thing::Kind::shape, Verdict::as_met);
+  out_.faint_rays = leave_out(Skip::faint_rays, "all of them in a pixel: below an eighth of the error", {},
+                              Thing::Kind::shape, Verdict::as_met);
   out_.brightness = std::move(brightness);
 }
 

@@ -68,6 +68,7 @@ struct Plan {
   Brightness brightness;             // for faint_rays
   std::vector<MaterialNeeds> needs;  // of each material; empty: everything
   std::vector<Decision> decisions;   // one for each skip, in the order of their names
+  std::uint64_t worn = 0;            // materials that some shape wears
   std::uint64_t primitives = 0;      // that a tree or list would hold
 
   const MaterialNeeds& needs_of(scene::Index material) const;

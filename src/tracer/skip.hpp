@@ -29,6 +29,24 @@ inline constexpr std::array<std::string_view, 10> k_skip_names{
 
 constexpr std::string_view name_of(Skip skip) { return k_skip_names[static_cast<std::size_t>(skip)]; }
 
+/// What is spared: a phrase that the reason follows.
+constexpr std::string_view what_of(Skip skip) {
+  switch (skip) {
+    case Skip::any_hit: return "what lies behind the first surface in the way of a light";
+    case Skip::dark_lights:
+      return "shadow rays to lights that are black, behind the surface or aimed elsewhere";
+    case Skip::faint_lights: return "shadow rays to lights too weak to show";
+    case Skip::faint_rays: return "reflected and refracted rays too weak to show";
+    case Skip::media: return "lists of the solids that a ray is inside of";
+    case Skip::patterns: return "patterned colours that no term needs";
+    case Skip::recursion: return "rays that go on from a surface";
+    case Skip::shadow_rays: return "shadow rays";
+    case Skip::tree: return "a tree of boxes";
+    case Skip::zero_terms: return "lights at points that send none of them back";
+  }
+  return "";
+}
+
 constexpr std::optional<Skip> skip_from_name(std::string_view name) {
   for (std::size_t i = 0; i < k_skip_names.size(); ++i) {
     if (k_skip_names[i] == name) return static_cast<Skip>(i);
