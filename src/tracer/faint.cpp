@@ -10,6 +10,13 @@ bool is_within(Color c, Color limit) { return c.r <= limit.r && c.g <= limit.g &
 
 }  // namespace
 
+bool Allowance::takes(Color most) {
+  constexpr double k_part = 1.0 / 16;
+  if (!is_within(most, left_ * k_part)) return false;
+  left_ = left_ - most;
+  return true;
+}
+
 void PendingRays::clear() {
   queue_.clear();
   rays_.clear();

@@ -1,7 +1,8 @@
 #pragma once
-// The rays that a sample still has to follow, brightest first, and when those that are left are together too
-// faint to show. A branch's largest possible contribution is its share times a bound of what any ray can
-// bring; following it puts its own branches in its place, which can bring no more.
+// What a sample leaves out for being too faint to show. The rays that a sample still has to follow, brightest
+// first, and when those that are left are together too faint to show. A branch's largest possible
+// contribution is its share times a bound of what any ray can bring; following it puts its own branches in
+// its place, which can bring no more.
 
 #include <cstdint>
 #include <vector>
@@ -10,6 +11,20 @@
 #include "tracer/ray.hpp"
 
 namespace lancer::tracer {
+
+/// What may still go missing, where one thing after the other asks.
+class Allowance {
+ public:
+  explicit Allowance(Color left) : left_(left) {}
+
+  /// May this go missing? Then it is taken off. Never more than a part of what is left, so that a first, not
+  /// so faint one does not leave the many others without.
+  bool takes(Color most);
+  Color left() const { return left_; }
+
+ private:
+  Color left_;
+};
 
 /// A ray still to be followed, and what its radiance counts in the sum.
 struct Pending {

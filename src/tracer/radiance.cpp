@@ -1,5 +1,6 @@
 #include "tracer/radiance.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace lancer::tracer {
@@ -82,10 +83,10 @@ Color Tracer::linear_to_error(Ray first, int depth) {
       continue;
     }
     const Color for_lights = allowance(sum) * 0.5 - lost;
-    FaintLights faint(now.share, for_lights);
-    Shaded shaded =
-        shade(tracing_, now.ray, hit, now.depth > 0, stats_, plan.faint_lights ? &faint : nullptr);
-    lost += for_lights - faint.left();
+    Allowance lights(for_lights);
+    Shaded shaded = shade(tracing_, now.ray, hit, now.depth > 0, stats_,
+                          {now.share, plan.faint_lights ? &lights : nullptr});
+    lost += for_lights - lights.left();
     sum += now.share * shaded.own.value();
     const auto follow = [&](std::optional<Branch>& branch, bool transmitted) {
       if (!branch) return;
@@ -100,8 +101,22 @@ Color Tracer::linear_to_error(Ray first, int depth) {
   return sum;
 }
 
+void Tracer::drop_if_faint(std::optional<Branch>& branch, Color reach, int depth, Allowance& allowance) {
+  const Plan& plan = *tracing_.plan;
+  if (!branch || !plan.faint_rays) return;
+  // Joined terms are no more than their sum, and each counts no more than 1.
+  const Color most = at_most(branch->share + branch->also, plan.brightness.bound(depth));
+  const Color counted{std::min(most.r, 1.0), std::min(most.g, 1.0), std::min(most.b, 1.0)};
+  if (!allowance.takes(reach * counted)) return;
+  ++stats_.rays_faint;
+  branch.reset();
+}
+
 Color Tracer::log(Ray ray, int depth) {
   const scene::Settings& settings = tracing_.world->scene->settings;
+  const Plan& plan = *tracing_.plan;
+  Allowance allowed(allowance({}));
+  Color reach = grey(1);
   waiting_.clear();
   later_.clear();
   Hit hit;
@@ -109,15 +124,19 @@ Color Tracer::log(Ray ray, int depth) {
     // Down: along first branches, to a surface without any.
     Color value = settings.background;
     if (closest(*tracing_.world, ray, stats_, hit)) {
-      Shaded shaded = shade(tracing_, ray, hit, depth > 0, stats_);
+      Shaded shaded =
+          shade(tracing_, ray, hit, depth > 0, stats_, {reach, plan.faint_lights ? &allowed : nullptr});
       value = shaded.own.value();
+      drop_if_faint(shaded.reflected, reach, depth - 1, allowed);
+      drop_if_faint(shaded.transmitted, reach, depth - 1, allowed);
       if (!shaded.own.is_full() && (shaded.reflected || shaded.transmitted)) {
         stats_.reflected_rays += shaded.reflected ? 1 : 0;
         stats_.refracted_rays += shaded.transmitted ? 1 : 0;
         const bool both = shaded.reflected && shaded.transmitted;
         Branch first = std::move(shaded.reflected ? *shaded.reflected : *shaded.transmitted);
         if (both) later_.push_back(std::move(*shaded.transmitted));
-        waiting_.push_back({shaded.own, first.share, first.also, depth, both});
+        waiting_.push_back({shaded.own, first.share, first.also, reach, depth, both});
+        reach = reach * (first.share + first.also) * (grey(1) - value);
         ray = std::move(first.ray);
         --depth;
         continue;
@@ -137,6 +156,7 @@ Color Tracer::log(Ray ray, int depth) {
         top.share = second.share;
         top.also = second.also;
         top.then_transmitted = false;
+        reach = top.reach * (second.share + second.also) * (grey(1) - value);
         ray = std::move(second.ray);
         --depth;
         down_again = true;

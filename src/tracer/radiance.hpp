@@ -24,6 +24,7 @@ class Tracer {
   struct Waiting {
     Joined value;
     Color share, also;
+    Color reach;  // what a change of this surface's radiance changes the sum by, at the most
     int depth;
     bool then_transmitted;  // the last of `later_` is its second ray
   };
@@ -33,6 +34,8 @@ class Tracer {
   Color linear(Ray ray, int depth);
   /// As linear(), but what is too faint to show is left out.
   Color linear_to_error(Ray ray, int depth);
+  /// Drops the branch of a surface with that `reach` if it is too faint to show.
+  void drop_if_faint(std::optional<Branch>& branch, Color reach, int depth, Allowance& allowance);
   /// What may go missing in all from a sample that already sees `seen`.
   Color allowance(Color seen) const;
   Color log(Ray ray, int depth);

@@ -58,14 +58,14 @@ std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, co
   return sent;
 }
 
-Color from_light(const Meeting& at, const scene::Light& light, Stats& stats, FaintLights* faint) {
+Color from_light(const Meeting& at, const scene::Light& light, Stats& stats, const FaintLights& faint) {
   const Plan& plan = *at.tracing.plan;
   const Bearing from = bearing(light, at.hit.point);
   if (from.distance == 0) return {};
   const std::optional<Color> sent = unshadowed(at, light, from, stats);
   if (!sent) return {};
   if (plan.shadows == ShadowWork::none) return *sent;
-  if (faint && faint->takes(*sent)) {
+  if (faint.allowance && faint.allowance->takes(faint.share * *sent)) {
     ++stats.lights_faint;
     return {};
   }
@@ -140,16 +140,8 @@ void Joined::add(Color term) {
 
 bool Joined::is_full() const { return how_ == scene::Sum::log && value_ == grey(1); }
 
-bool FaintLights::takes(Color light) {
-  constexpr double k_part = 1.0 / 16;
-  const Color lost = share_ * light;
-  if (lost.r > left_.r * k_part || lost.g > left_.g * k_part || lost.b > left_.b * k_part) return false;
-  left_ = left_ - lost;
-  return true;
-}
-
 Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow, Stats& stats,
-             FaintLights* faint) {
+             const FaintLights& faint) {
   const Plan& plan = *tracing.plan;
   const scene::Scene& scene = *tracing.world->scene;
   const MaterialNeeds& needs = plan.needs_of(scene.shapes[hit.shape].material);

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <optional>
 
+#include "tracer/faint.hpp"
 #include "tracer/intersect.hpp"
 #include "tracer/plan.hpp"
 
@@ -47,24 +48,14 @@ struct Tracing {
   bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
 };
 
-/// What lights that are too weak to show may still take from a pixel.
-class FaintLights {
- public:
-  /// `share`: what the surface counts in the sum; `left`: what all of these lights may still add up to.
-  FaintLights(Color share, Color left) : share_(share), left_(left) {}
-
-  /// May light of that much go missing? Then it is taken off. Never more than a part of what is left, so that
-  /// a first, not so faint one does not leave the many others without.
-  bool takes(Color light);
-  Color left() const { return left_; }
-
- private:
-  Color share_, left_;
+/// Leaves out lights that are too weak to show, at a surface that counts `share` in the sum.
+struct FaintLights {
+  Color share;
+  Allowance* allowance = nullptr;  // null: none is left out
 };
 
-/// The surface at the hit, seen along the ray; its branches only where `follow` is set. Lights are left out
-/// for being faint where `faint` is given.
+/// The surface at the hit, seen along the ray; its branches only where `follow` is set.
 Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow, Stats& stats,
-             FaintLights* faint = nullptr);
+             const FaintLights& faint = {});
 
 }  // namespace lancer::tracer
