@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "tracer/extent.hpp"
 #include "tracer/inventory.hpp"
+#include "tracer/lights_in_reach.hpp"
 #include "tracer/pattern.hpp"
 #include "tracer/world.hpp"
 
@@ -88,12 +91,18 @@ class Planner {
   bool eye_may_be_in(Index mesh) const;
   Things meshes_around_rays() const;
   Things bright_shadows() const;
-  bool is_dark(const scene::Light& light) const { return is_black(light.color); }
+  void ask_all_but(const Things& dropped);
+  void drop_faint_lights();
+  const Extent& extent() {
+    if (!extent_) extent_.emplace(scene_);
+    return *extent_;
+  }
 
   const scene::Scene& scene_;
   const scene::View& view_;
   const Options& options_;
   Inventory has_;
+  std::optional<Extent> extent_;  // once asked for
   Plan out_;
 };
 
@@ -113,18 +122,26 @@ void Planner::plan_recursion() {
   }
 }
 
-void Planner::plan_lights() {
-  Things dark;
+/// Lights that are not asked, for they are among `dropped` (in order).
+void Planner::ask_all_but(const Things& dropped) {
+  Things asked;
   for (Index i = 0; i < scene_.lights.size(); ++i) {
-    if (is_dark(scene_.lights[i])) dark.push_back(i);
-    if (!is_dark(scene_.lights[i]) || !may(Skip::dark_lights)) out_.lights.push_back(i);
+    const bool was_asked = out_.every_light || std::binary_search(out_.lights.begin(), out_.lights.end(), i);
+    if (was_asked && !std::binary_search(dropped.begin(), dropped.end(), i)) asked.push_back(i);
   }
-  out_.every_light = out_.lights.size() == scene_.lights.size();
-  if (out_.every_light) out_.lights.clear();
+  out_.every_light = asked.size() == scene_.lights.size();
+  out_.lights = out_.every_light ? Things{} : std::move(asked);
+}
+
+void Planner::plan_lights() {
+  const auto is_spot = [](const scene::Light& light) { return light.kind == scene::LightKind::spot; };
+  const bool spots = std::any_of(scene_.lights.begin(), scene_.lights.end(), is_spot);
+  const Things dark = dark_lights(scene_, spots ? &extent() : nullptr);
+  if (may(Skip::dark_lights)) ask_all_but(dark);
   if (scene_.lights.empty()) {
     leave_out(Skip::dark_lights, "there is no light");
   } else if (!dark.empty()) {
-    leave_out(Skip::dark_lights, "{}: black", dark, Thing::Kind::light);
+    leave_out(Skip::dark_lights, "nowhere: {}", dark, Thing::Kind::light, Verdict::as_met);
   } else {
     leave_out(Skip::dark_lights, "", {}, Thing::Kind::light, Verdict::as_met);
   }
@@ -276,6 +293,22 @@ Things Planner::bright_shadows() const {
   return out;
 }
 
+/// Lights too far from everything for all of them together to show are never asked; a part of what may go
+/// missing is spent on them.
+void Planner::drop_faint_lights() {
+  const auto fades = [](const scene::Light& light) {
+    return light.kind != scene::LightKind::sun && light.falloff > 0;
+  };
+  if (std::none_of(scene_.lights.begin(), scene_.lights.end(), fades)) return;
+  constexpr double k_part = 0.25;
+  const double allowed = k_part * out_.faint_error * tolerance(0) / out_.exposure;
+  const int depth = out_.recursion ? scene_.settings.depth : 0;
+  const Things faint = faint_lights(scene_, has_, extent(), depth, allowed);
+  if (faint.empty()) return;
+  ask_all_but(faint);
+  out_.faint_error *= 1 - k_part;
+}
+
 void Planner::plan_faint() {
   out_.faint_error = options_.error * k_faint_part;
   if (!(options_.error > 0)) {
@@ -288,6 +321,7 @@ void Planner::plan_faint() {
     decide(Skip::faint_lights, Verdict::needed, "{} may make a light brighter without bound", bright);
     return;
   }
+  if (may(Skip::faint_lights)) drop_faint_lights();
   out_.faint_lights = leave_out(Skip::faint_lights, "all of them in a pixel: below an eighth of the error",
                                 {}, Thing::Kind::light, Verdict::as_met);
   if (!out_.recursion) {

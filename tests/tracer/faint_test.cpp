@@ -130,6 +130,21 @@ TEST_CASE("faint: a thousand lamps out of reach cost no shadow rays", "[faint]")
   const Rendered all = with_error(s, v, 0), some = with_error(s, v, 0.01);
   CHECK(all.stats.shadow_rays > 500 * before);
   CHECK(some.stats.shadow_rays == before);
-  CHECK(some.stats.lights_faint > 500 * before);
+  CHECK(some.stats.lights_faint == 0);  // nor are they asked at all
   CHECK(difference(s, all, some) <= 0.01 / 8);
+}
+
+TEST_CASE("faint: lamps that show only near them are asked, and cost no shadow rays elsewhere", "[faint]") {
+  Scene s;
+  s.settings.ambient = grey(0.2);
+  add_plane(s, {0, 0, 0}, {0, 1, 0}, Material{});
+  for (int i = 0; i < 40; ++i) {
+    s.lights.push_back(point_light({3.0 * i, 0.3, 0}, 0.5));
+    s.lights.back().falloff = 0.02;
+  }
+  const scene::View v = view({0, 2, 5}, {0, -0.4, -1}, 16);
+  const Rendered all = with_error(s, v, 0), some = with_error(s, v, 0.05);
+  CHECK(some.stats.shadow_rays < all.stats.shadow_rays / 5);
+  CHECK(some.stats.lights_faint > all.stats.shadow_rays / 2);
+  CHECK(difference(s, all, some) <= 0.05 / 8);
 }
