@@ -82,6 +82,6 @@ Plan plan(const scene::Scene& scene, const scene::View& view, const Options& opt
 std::string in_words(const scene::Scene& scene, const Decision& decision);
 
 /// Up to this many primitives a list is asked faster than a tree.
-inline constexpr std::uint64_t k_longest_list = 8;
+inline constexpr std::uint64_t k_longest_list = 4;
 
 }  // namespace lancer::tracer

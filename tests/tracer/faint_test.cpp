@@ -148,3 +148,23 @@ TEST_CASE("faint: lamps that show only near them are asked, and cost no shadow r
   CHECK(some.stats.lights_faint > all.stats.shadow_rays / 2);
   CHECK(difference(s, all, some) <= 0.05 / 8);
 }
+
+TEST_CASE("faint: what many surfaces in one another lose to faint lights is counted together", "[faint]") {
+  Scene s;
+  s.settings.ambient = {};
+  s.settings.depth = 40;
+  Material m = mirror(0.95);
+  m.diffuse.color = grey(0.5);
+  add_plane(s, {0, 0, -2}, {0, 0, 1}, m);
+  add_plane(s, {0, 0, 2}, {0, 0, -1}, m);
+  s.settings.shadows = scene::Shadows::opaque;
+  // Each adds at most half of 3e-4; an eighth of 0.2 in the dark is 1.4e-3.
+  for (int i = 0; i < 30; ++i) s.lights.push_back(point_light({0.2 * i - 3, 1, 0}, 3e-4));
+  for (const auto sum : {scene::Sum::linear, scene::Sum::log}) {
+    s.settings.sum = sum;
+    const scene::View v = view({0, 0, 1}, {0.1, 0.02, -1}, 8);
+    const Rendered all = with_error(s, v, 0), some = with_error(s, v, 0.2);
+    CHECK(some.stats.lights_faint > 0);
+    CHECK(difference(s, all, some) <= 0.2 / 8);
+  }
+}
