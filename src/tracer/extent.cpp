@@ -9,6 +9,7 @@ namespace lancer::tracer {
 namespace {
 
 constexpr double k_margin = 1e-9;  // far above any rounding here
+constexpr double k_surely = 1e-6;  // degrees
 
 void add_box(Aabb& bounds, const scene::Box& box, const Affine& frame, const Affine& map) {
   for (int i = 0; i < 8; ++i) {
@@ -27,6 +28,14 @@ void add_sphere(Aabb& bounds, const scene::Sphere& sphere, const Affine& map) {
 double degrees_between(Vec3 a, Vec3 b) { return math::atan2_deg(length(cross(a, b)), dot(a, b)); }
 
 }  // namespace
+
+bool may_light_ball(const scene::Light& spot, Vec3 center, double radius) {
+  const Vec3 way = center - spot.at;
+  const double distance = length(way);
+  if (!(distance > radius)) return true;
+  const double apparent = math::asin_deg(std::min(1.0, radius / distance));
+  return !(degrees_between(way, spot.direction) - apparent > spot.angle / 2 + k_surely);
+}
 
 Extent::Extent(const scene::Scene& scene) {
   for (const scene::Shape& shape : scene.shapes) add(scene, shape);
@@ -59,37 +68,17 @@ void Extent::add_plane(const scene::Plane& plane, const Transform& transform) {
   planes_.push_back({transform.to_world.point(on_it), normalize(transform.normal_to_world(plane.normal))});
 }
 
-double Extent::least_distance(Vec3 p) const {
-  double least = std::numeric_limits<double>::infinity();
-  if (bounded_.lo.x <= bounded_.hi.x) {
-    Vec3 outside;
-    for (int axis = 0; axis < 3; ++axis)
-      outside[axis] = std::max({bounded_.lo[axis] - p[axis], 0.0, p[axis] - bounded_.hi[axis]});
-    least = length(outside);
-  }
-  for (const Level& plane : planes_) {
-    const double rounding = 1e-12 * (max_abs(p) + max_abs(plane.point));
-    least = std::min(least, std::fabs(dot(p - plane.point, plane.normal)) - rounding);
-  }
-  return std::max(0.0, least * (1 - k_margin));
-}
-
 bool Extent::may_be_lit_by(const scene::Light& spot) const {
-  const double half_angle = spot.angle / 2 + k_margin;
   if (bounded_.lo.x <= bounded_.hi.x) {
-    // The ball around the bounds, as seen from the lamp.
-    const Vec3 way = bounded_.center() - spot.at;
-    const double radius = length(bounded_.hi - bounded_.lo) * (0.5 + k_margin), distance = length(way);
-    if (!(distance > radius)) return true;
-    const double apparent = math::asin_deg(std::min(1.0, radius / distance));
-    if (!(degrees_between(way, spot.direction) - apparent > half_angle + 1e-6)) return true;
+    const double radius = length(bounded_.hi - bounded_.lo) * (0.5 + k_margin);
+    if (may_light_ball(spot, bounded_.center(), radius)) return true;
   }
   for (const Level& plane : planes_) {
     const double above = dot(spot.at - plane.point, plane.normal);
     const double rounding = k_margin * (max_abs(spot.at) + max_abs(plane.point));
     if (!(std::fabs(above) > rounding)) return true;
     const Vec3 down = above > 0 ? -plane.normal : plane.normal;
-    if (!(degrees_between(spot.direction, down) - half_angle > 90 + 1e-6)) return true;
+    if (!(degrees_between(spot.direction, down) - spot.angle / 2 > 90 + k_surely)) return true;
   }
   return false;
 }

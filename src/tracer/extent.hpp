@@ -8,13 +8,16 @@
 
 namespace lancer::tracer {
 
+/// False only where the ball lies outside of the spot's cone.
+bool may_light_ball(const scene::Light& spot, Vec3 center, double radius);
+
 class Extent {
  public:
   /// Work: the shapes and the points of meshes.
   explicit Extent(const scene::Scene& scene);
 
-  /// At most the distance of p from any surface.
-  double least_distance(Vec3 p) const;
+  /// Around all shapes but planes; empty where there are none.
+  const Aabb& bounded() const { return bounded_; }
 
   /// False only where no surface lies within the spot's cone.
   bool may_be_lit_by(const scene::Light& spot) const;
@@ -26,7 +29,7 @@ class Extent {
   void add(const scene::Scene& scene, const scene::Shape& shape);
   void add_plane(const scene::Plane& plane, const Transform& transform);
 
-  Aabb bounded_;  // all shapes but planes; empty where there are none
+  Aabb bounded_;
   std::vector<Level> planes_;
 };
 

@@ -48,31 +48,9 @@ std::vector<scene::Index> dark_lights(const scene::Scene& scene, const Extent* e
   return out;
 }
 
-std::vector<scene::Index> faint_lights(const scene::Scene& scene, const Inventory& has, const Extent& extent,
-                                       int depth, double allowed) {
-  struct Lamp {
-    double most;
-    scene::Index light;
-  };
-  const double counted = most_surfaces(scene, has, depth) *
-                         largest_sum(scene, has, &scene::Material::diffuse, &scene::Material::specular);
-  std::vector<Lamp> lamps;
-  for (scene::Index i = 0; i < scene.lights.size(); ++i) {
-    const scene::Light& light = scene.lights[i];
-    if (light.kind == scene::LightKind::sun || light.falloff == 0) continue;
-    const double ratio = light.falloff / extent.least_distance(light.at);
-    lamps.push_back({component(light.color) * ratio * ratio * counted, i});
-  }
-  std::stable_sort(lamps.begin(), lamps.end(), [](const Lamp& a, const Lamp& b) { return a.most < b.most; });
-  double sum = 0;
-  std::vector<scene::Index> out;
-  for (const Lamp& lamp : lamps) {
-    sum += lamp.most;
-    if (!(sum <= allowed)) break;
-    out.push_back(lamp.light);
-  }
-  std::sort(out.begin(), out.end());
-  return out;
+double most_sent(const scene::Scene& scene, const Inventory& has, int depth) {
+  return most_surfaces(scene, has, depth) *
+         largest_sum(scene, has, &scene::Material::diffuse, &scene::Material::specular);
 }
 
 }  // namespace lancer::tracer

@@ -12,9 +12,8 @@ namespace lancer::tracer {
 /// extent). In order.
 std::vector<scene::Index> dark_lights(const scene::Scene& scene, const Extent* extent);
 
-/// Lights with falloff so far from all surfaces that together they add less than `allowed` to what a ray
-/// sees, surfaces in surfaces to the depth included. In order.
-std::vector<scene::Index> faint_lights(const scene::Scene& scene, const Inventory& has, const Extent& extent,
-                                       int depth, double allowed);
+/// The most that a ray can see of light that comes to surfaces with intensity 1: diffuse and specular at
+/// their most, in all surfaces that it sees, one in another, to the depth.
+double most_sent(const scene::Scene& scene, const Inventory& has, int depth);
 
 }  // namespace lancer::tracer

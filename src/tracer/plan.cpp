@@ -42,6 +42,7 @@ class Planner {
     plan_patterns();
     plan_tree();
     plan_faint();
+    plan_light_cells();
     std::sort(out_.decisions.begin(), out_.decisions.end(),
               [](const Decision& a, const Decision& b) { return a.skip < b.skip; });
     return std::move(out_);
@@ -92,7 +93,7 @@ class Planner {
   Things meshes_around_rays() const;
   Things bright_shadows() const;
   void ask_all_but(const Things& dropped);
-  void drop_faint_lights();
+  void plan_light_cells();
   const Extent& extent() {
     if (!extent_) extent_.emplace(scene_);
     return *extent_;
@@ -293,19 +294,32 @@ Things Planner::bright_shadows() const {
   return out;
 }
 
-/// Lights too far from everything for all of them together to show are never asked; a part of what may go
-/// missing is spent on them.
-void Planner::drop_faint_lights() {
-  const auto fades = [](const scene::Light& light) {
-    return light.kind != scene::LightKind::sun && light.falloff > 0;
-  };
-  if (std::none_of(scene_.lights.begin(), scene_.lights.end(), fades)) return;
+/// Where more than a few lights have their limits, they are looked up by place. For lamps that fade a part of
+/// what may go missing is spent.
+void Planner::plan_light_cells() {
+  constexpr std::size_t k_few = 4;
   constexpr double k_part = 0.25;
-  const double allowed = k_part * out_.faint_error * tolerance(0) / out_.exposure;
-  const int depth = out_.recursion ? scene_.settings.depth : 0;
-  const Things faint = faint_lights(scene_, has_, extent(), depth, allowed);
-  if (faint.empty()) return;
-  ask_all_but(faint);
+  std::size_t spots = 0, fading = 0;
+  for (const scene::Light& light : scene_.lights) {
+    spots += light.kind == scene::LightKind::spot ? 1 : 0;
+    fading += light.kind != scene::LightKind::sun && light.falloff > 0 ? 1 : 0;
+  }
+  LightCellPlan& cells = out_.light_cells;
+  cells.spots = spots > 0 && may(Skip::dark_lights);
+  const bool faint = fading > 0 && out_.faint_lights;
+  cells.used = (cells.spots ? spots : 0) + (faint ? fading : 0) > k_few;
+  if (!cells.used) return;
+  Aabb around = extent().bounded();
+  for (const scene::Light& light : scene_.lights) {
+    if (!(around.lo.x <= around.hi.x) && light.kind != scene::LightKind::sun) around.add(light.at);
+  }
+  const double size = max_abs(around.hi - around.lo);
+  cells.middle = around.center();
+  cells.reach = size > 0 ? size / 2 : 1;
+  cells.size = cells.reach / 16;
+  if (!faint) return;
+  const double sent = most_sent(scene_, has_, out_.recursion ? scene_.settings.depth : 0);
+  cells.faint = k_part * out_.faint_error * tolerance(0) / out_.exposure / std::max(sent, 1e-300);
   out_.faint_error *= 1 - k_part;
 }
 
@@ -321,7 +335,6 @@ void Planner::plan_faint() {
     decide(Skip::faint_lights, Verdict::needed, "{} may make a light brighter without bound", bright);
     return;
   }
-  if (may(Skip::faint_lights)) drop_faint_lights();
   out_.faint_lights = leave_out(Skip::faint_lights, "all of them in a pixel: below an eighth of the error",
                                 {}, Thing::Kind::light, Verdict::as_met);
   if (!out_.recursion) {

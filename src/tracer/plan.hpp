@@ -8,6 +8,7 @@
 
 #include "scene/scene.hpp"
 #include "tracer/brightness.hpp"
+#include "tracer/light_cells.hpp"
 #include "tracer/options.hpp"
 
 namespace lancer::tracer {
@@ -61,6 +62,7 @@ struct Plan {
   bool tree = true;                  // a tree over the primitives, in place of a list
   bool every_light = true;           // else only `lights`
   std::vector<scene::Index> lights;  // that may reach something, in order
+  LightCellPlan light_cells;         // where many lights reach a part of the scene only
   bool faint_rays = false;           // those that cannot show are not followed
   bool faint_lights = false;         // shadow rays to lights that cannot show are not shot
   double faint_error = 0;            // that all of these may add up to in a pixel, display units

@@ -25,7 +25,7 @@ Color Tracer::radiance(Ray ray, int depth) {
 Color Tracer::one_surface(const Ray& ray) {
   Hit hit;
   if (!closest(*tracing_.world, ray, stats_, hit)) return tracing_.world->scene->settings.background;
-  return shade(tracing_, ray, hit, false, stats_).own.value();
+  return shade(tracing_, ray, hit, false, stats_, {grey(1), nullptr, cells()}).own.value();
 }
 
 Color Tracer::linear(Ray first, int depth) {
@@ -41,7 +41,7 @@ Color Tracer::linear(Ray first, int depth) {
       sum += now.share * settings.background;
       continue;
     }
-    Shaded shaded = shade(tracing_, now.ray, hit, now.depth > 0, stats_);
+    Shaded shaded = shade(tracing_, now.ray, hit, now.depth > 0, stats_, {grey(1), nullptr, cells()});
     sum += now.share * shaded.own.value();
     const auto follow = [&](std::optional<Branch>& branch, std::uint64_t& count) {
       if (!branch) return;
@@ -85,7 +85,7 @@ Color Tracer::linear_to_error(Ray first, int depth) {
     const Color for_lights = allowance(sum) * 0.5 - lost;
     Allowance lights(for_lights);
     Shaded shaded = shade(tracing_, now.ray, hit, now.depth > 0, stats_,
-                          {now.share, plan.faint_lights ? &lights : nullptr});
+                          {now.share, plan.faint_lights ? &lights : nullptr, cells()});
     lost += for_lights - lights.left();
     sum += now.share * shaded.own.value();
     const auto follow = [&](std::optional<Branch>& branch, bool transmitted) {
@@ -124,8 +124,8 @@ Color Tracer::log(Ray ray, int depth) {
     // Down: along first branches, to a surface without any.
     Color value = settings.background;
     if (closest(*tracing_.world, ray, stats_, hit)) {
-      Shaded shaded =
-          shade(tracing_, ray, hit, depth > 0, stats_, {reach, plan.faint_lights ? &allowed : nullptr});
+      Shaded shaded = shade(tracing_, ray, hit, depth > 0, stats_,
+                            {reach, plan.faint_lights ? &allowed : nullptr, cells()});
       value = shaded.own.value();
       drop_if_faint(shaded.reflected, reach, depth - 1, allowed);
       drop_if_faint(shaded.transmitted, reach, depth - 1, allowed);

@@ -12,7 +12,7 @@ namespace lancer::tracer {
 /// One thread's tracer. Returns early, with no meaningful value, once the tracing is cancelled.
 class Tracer {
  public:
-  explicit Tracer(const Tracing& tracing) : tracing_(tracing) {}
+  explicit Tracer(const Tracing& tracing) : tracing_(tracing), cells_(*tracing.world->scene, *tracing.plan) {}
 
   /// What arrives along the ray, of which `depth` deviations may be followed.
   Color radiance(Ray ray, int depth);
@@ -40,7 +40,10 @@ class Tracer {
   Color allowance(Color seen) const;
   Color log(Ray ray, int depth);
 
+  LightCells* cells() { return tracing_.plan->light_cells.used ? &cells_ : nullptr; }
+
   Tracing tracing_;
+  LightCells cells_;
   Stats stats_;
   std::vector<Pending> pending_;
   PendingRays brightest_;

@@ -36,7 +36,7 @@ struct Meeting {
 /// The light's whole term without shadows. Nothing where it is known to be black, and need not be asked for
 /// shadows; why is counted.
 std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, const Bearing& from,
-                                Stats& stats) {
+                                const Asking& asking, Stats& stats) {
   const Skips skips = at.tracing.plan->skips;
   const double n_dot_l = dot(at.surface.normal, from.towards);
   const bool in_front = n_dot_l > 0;
@@ -49,6 +49,13 @@ std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, co
     ++stats.lights_outside_cone;
     return std::nullopt;
   }
+  if (asking.allowance) {
+    const Color most = arriving * (at.surface.diffuse * std::fmax(0, n_dot_l) + at.surface.specular);
+    if (asking.allowance->takes(asking.share * most)) {
+      ++stats.lights_faint;
+      return std::nullopt;
+    }
+  }
   const Color sent =
       in_front ? arriving * reflected_light(at.surface, from.towards, -at.ray.direction, n_dot_l) : Color{};
   if (is_black(sent) && in_front && !is_black(arriving) && skips.has(Skip::zero_terms)) {
@@ -58,21 +65,32 @@ std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, co
   return sent;
 }
 
-Color from_light(const Meeting& at, const scene::Light& light, Stats& stats, const FaintLights& faint) {
+Color from_light(const Meeting& at, const scene::Light& light, const Asking& asking, Stats& stats) {
   const Plan& plan = *at.tracing.plan;
   const Bearing from = bearing(light, at.hit.point);
   if (from.distance == 0) return {};
-  const std::optional<Color> sent = unshadowed(at, light, from, stats);
+  const std::optional<Color> sent = unshadowed(at, light, from, asking, stats);
   if (!sent) return {};
   if (plan.shadows == ShadowWork::none) return *sent;
-  if (faint.allowance && faint.allowance->takes(faint.share * *sent)) {
-    ++stats.lights_faint;
-    return {};
-  }
   const World& world = *at.tracing.world;
   const Ray shadow_ray = ray_from(world, at.hit, from.towards);
   const Color through = light_through(world, plan.shadows, shadow_ray, from.distance, stats, plan.any_hit);
   return is_black(*sent) ? Color{} : through * *sent;
+}
+
+void ask_lights(const Meeting& at, const Asking& asking, Joined& sum, Stats& stats) {
+  const Plan& plan = *at.tracing.plan;
+  const std::vector<scene::Light>& all = at.tracing.world->scene->lights;
+  const auto ask = [&](const scene::Light& light) { sum.add(from_light(at, light, asking, stats)); };
+  const std::vector<scene::Index>* some = plan.every_light ? nullptr : &plan.lights;
+  if (asking.cells) {
+    const LightCells::Cell& cell = asking.cells->at(at.hit.point);
+    stats.lights_outside_cone += cell.outside_cone;
+    stats.lights_faint += cell.faint;
+    some = &cell.lights;
+  }
+  const std::size_t count = some ? some->size() : all.size();
+  for (std::size_t i = 0; i < count && !at.tracing.cancelled(); ++i) ask(all[some ? (*some)[i] : i]);
 }
 
 /// The solids that a ray from the hit is inside of. A ray that only touches a sphere or box goes on outside,
@@ -141,7 +159,7 @@ void Joined::add(Color term) {
 bool Joined::is_full() const { return how_ == scene::Sum::log && value_ == grey(1); }
 
 Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow, Stats& stats,
-             const FaintLights& faint) {
+             const Asking& asking) {
   const Plan& plan = *tracing.plan;
   const scene::Scene& scene = *tracing.world->scene;
   const MaterialNeeds& needs = plan.needs_of(scene.shapes[hit.shape].material);
@@ -149,11 +167,11 @@ Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow
   const Meeting at{tracing, ray, hit, surface};
   Shaded out{Joined(scene.settings.sum), {}, {}};
   out.own.add(surface.ambient * scene.settings.ambient);
-  const std::size_t lights = plan.every_light ? scene.lights.size() : plan.lights.size();
-  for (std::size_t i = 0; needs.direct && i < lights && !tracing.cancelled(); ++i) {
-    out.own.add(from_light(at, scene.lights[plan.every_light ? i : plan.lights[i]], stats, faint));
+  if (needs.direct) {
+    ask_lights(at, asking, out.own, stats);
+  } else {
+    stats.lights_unanswered += plan.every_light ? scene.lights.size() : plan.lights.size();
   }
-  if (!needs.direct) stats.lights_unanswered += lights;
   if (follow && needs.onward) add_branches(at, out, stats);
   return out;
 }

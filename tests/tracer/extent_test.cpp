@@ -46,20 +46,3 @@ TEST_CASE("extent: a spot misses a plane when all of its cone rises", "[extent]"
   CHECK_FALSE(e.may_be_lit_by(spot({0, -5, 0}, {0, -1, 0}, 10)));
   CHECK(e.may_be_lit_by(spot({0, 1, 0}, {0, 1, 0}, 10)));  // in the plane
 }
-
-TEST_CASE("extent: no surface is nearer than the least distance", "[extent]") {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const Scene s = random_scene(seed);
-    const World world = prepare(s);
-    const Extent e(s);
-    Random random(seed);
-    for (int i = 0; i < 40; ++i) {
-      const Vec3 p = random.direction() * (4 + 20 * random());
-      Stats stats;
-      Hit hit;
-      if (!closest(world, Ray{p, random.direction(), 0, {}, {}}, stats, hit)) continue;
-      INFO("seed " << seed);
-      REQUIRE(length(hit.point - p) >= e.least_distance(p));
-    }
-  }
-}

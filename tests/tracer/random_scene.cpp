@@ -12,7 +12,7 @@ class SceneByLot {
     settings();
     const int shapes = chance(0.4) ? 1 + whole(6) : 10 + whole(25);
     for (int i = 0; i < shapes; ++i) shape();
-    const int lights = whole(5);
+    const int lights = chance(0.6) ? whole(5) : 5 + whole(10);
     for (int i = 0; i < lights; ++i) light();
     for (int i = 0; i < 3; ++i) s_.materials.push_back(material());  // that nothing wears
     return std::move(s_);
