@@ -33,6 +33,12 @@ struct Meeting {
   const Surface& surface;
 };
 
+bool is_too_faint(const Asking& asking, Color light, Stats& stats) {
+  if (!asking.allowance || !asking.allowance->takes(asking.share * light)) return false;
+  ++stats.lights_faint;
+  return true;
+}
+
 /// The light's whole term without shadows. Nothing where it is known to be black, and need not be asked for
 /// shadows; why is counted.
 std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, const Bearing& from,
@@ -49,19 +55,16 @@ std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, co
     ++stats.lights_outside_cone;
     return std::nullopt;
   }
-  if (asking.allowance) {
-    const Color most = arriving * (at.surface.diffuse * std::fmax(0, n_dot_l) + at.surface.specular);
-    if (asking.allowance->takes(asking.share * most)) {
-      ++stats.lights_faint;
-      return std::nullopt;
-    }
-  }
+  // Before the highlight is worked out, and with it.
+  const Color most = arriving * (at.surface.diffuse * std::fmax(0, n_dot_l) + at.surface.specular);
+  if (is_too_faint(asking, most, stats)) return std::nullopt;
   const Color sent =
       in_front ? arriving * reflected_light(at.surface, from.towards, -at.ray.direction, n_dot_l) : Color{};
   if (is_black(sent) && in_front && !is_black(arriving) && skips.has(Skip::zero_terms)) {
     ++stats.lights_unanswered;
     return std::nullopt;
   }
+  if (is_too_faint(asking, sent, stats)) return std::nullopt;
   return sent;
 }
 
