@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t k_most = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t k_most_samples = 1 << 20;
 constexpr std::int64_t k_most_threads = 1024;
-constexpr std::array<std::string_view, 3> k_commands{"render", "check", "dump"};
+constexpr std::array<std::string_view, 4> k_commands{"render", "check", "dump", "plan"};
 
 constexpr const char* k_examples = R"(Examples:
   lancer lamp.scn                            draws lamp.png beside the script
@@ -29,6 +29,7 @@ constexpr const char* k_examples = R"(Examples:
   lancer check lamp.scn                      finds mistakes without drawing
   lancer check --run lamp.scn                shows what the script prints
   lancer dump --scene lamp.scn               lists everything in the scene
+  lancer plan lamp.scn                       tells what a render does and leaves out
 
 Exit codes: 0 fine, 1 the script is wrong, 2 the command line is wrong,
 3 a file cannot be read or written, 130 interrupted.)";
@@ -39,9 +40,15 @@ struct ScriptTexts {
   std::string max_steps, max_objects;
 };
 
+/// What becomes tracer::Options, the same for every command that draws or plans to.
+struct PictureTexts {
+  std::string size, samples, region, no_skip;
+};
+
 struct RenderTexts {
   ScriptTexts script;
-  std::string output, size, samples, threads, region, format, stats;
+  PictureTexts picture;
+  std::string output, threads, format, stats;
 };
 
 /// An option that may be repeated, with one value each time.
@@ -63,6 +70,15 @@ void add_script_options(CLI::App& app, ScriptTexts& texts) {
   add_text(app, "--max-objects", texts.max_objects, "N", "Allow so many objects (10000000; 0: any number)");
 }
 
+void add_picture_options(CLI::App& app, PictureTexts& texts) {
+  add_text(app, "--size", texts.size, "W,H", "The picture's size in pixels, in place of the view's");
+  add_text(app, "--samples", texts.samples, "N", "Rays a pixel (16); 1 is the pixel's centre");
+  add_text(app, "--region", texts.region, "X0,Y0,X1,Y1", "Only these pixels; X1 and Y1 are excluded");
+  app.add_flag(
+      "--no-skip", texts.no_skip,
+      "Do what the picture does not need, too; --no-skip=NAME,NAME: only what `lancer plan` calls so");
+}
+
 void add_render(CLI::App& app, RenderCommand& command, RenderTexts& texts) {
   app.add_option("FILE", command.file, "The script; - reads standard input")->required()->type_name("");
   add_text(app, "-o,--output", texts.output, "OUT",
@@ -71,10 +87,8 @@ void add_render(CLI::App& app, RenderCommand& command, RenderTexts& texts) {
            fmt::format("Its format, whatever the ending: {}", image::k_format_names));
   add_repeated(app, "--view", command.views, "NAME", "Draw this view; may be repeated");
   app.add_flag("--all-views", command.all_views, "Draw every view");
-  add_text(app, "--size", texts.size, "W,H", "The picture's size in pixels, in place of the view's");
-  add_text(app, "--samples", texts.samples, "N", "Rays a pixel (16); 1 is the pixel's centre");
+  add_picture_options(app, texts.picture);
   add_text(app, "--threads", texts.threads, "N", "Threads to draw with (0: as many as the machine has)");
-  add_text(app, "--region", texts.region, "X0,Y0,X1,Y1", "Only these pixels; X1 and Y1 are excluded");
   add_script_options(app, texts.script);
   app.add_flag("--stats", texts.stats, "Tell what the drawing took; --stats=json on standard output");
   app.add_flag("--quiet", command.quiet, "Say nothing but errors and warnings");
@@ -92,16 +106,21 @@ void read_script_options(const ScriptTexts& texts, session::RunOptions& run) {
   }
 }
 
+void read_picture_options(const PictureTexts& texts, tracer::Options& options) {
+  if (!texts.size.empty()) read_size(texts.size, options);
+  if (!texts.region.empty()) options.region = read_region(texts.region);
+  if (!texts.samples.empty()) {
+    options.samples = static_cast<int>(read_whole("--samples", texts.samples, 1, k_most_samples));
+  }
+  if (!texts.no_skip.empty()) options.skips = read_skips(texts.no_skip);
+}
+
 void read_render_options(const RenderTexts& texts, RenderCommand& command) {
   read_script_options(texts.script, command.run);
   if (command.all_views && !command.views.empty())
     throw UsageError("--view and --all-views exclude each other");
   if (!texts.output.empty()) command.output = texts.output;
-  if (!texts.size.empty()) read_size(texts.size, command.options);
-  if (!texts.region.empty()) command.options.region = read_region(texts.region);
-  if (!texts.samples.empty()) {
-    command.options.samples = static_cast<int>(read_whole("--samples", texts.samples, 1, k_most_samples));
-  }
+  read_picture_options(texts.picture, command.options);
   if (!texts.threads.empty()) {
     command.options.threads = static_cast<int>(read_whole("--threads", texts.threads, 0, k_most_threads));
   }
@@ -204,6 +223,24 @@ Command parse_dump(std::vector<std::string> arguments) {
   return command;
 }
 
+Command parse_plan(std::vector<std::string> arguments) {
+  CLI::App app("Tell what a render does, what it leaves out, and why", "lancer plan");
+  PlanCommand command;
+  ScriptTexts script;
+  PictureTexts picture;
+  std::string view;
+  app.add_option("FILE", command.file, "The script; - reads standard input")->required()->type_name("");
+  add_text(app, "--view", view, "NAME", "Of this view; else of the first");
+  add_picture_options(app, picture);
+  add_script_options(app, script);
+  app.add_flag("--json", command.json, "As one JSON object");
+  if (auto answer = parse(app, std::move(arguments))) return *answer;
+  read_script_options(script, command.run);
+  read_picture_options(picture, command.options);
+  if (!view.empty()) command.view = view;
+  return command;
+}
+
 std::string general_help() {
   return fmt::format(
       "Lancer draws scenes that are written in a small language.\n\n"
@@ -212,6 +249,7 @@ std::string general_help() {
       "  lancer check FILE ...       find mistakes without drawing\n"
       "  lancer dump --ast|--scene FILE\n"
       "                              show what Lancer makes of a script\n"
+      "  lancer plan FILE            tell what a render does and leaves out\n"
       "  lancer COMMAND --help       the options of a command\n"
       "  lancer --version\n\n{}\n",
       k_examples);
@@ -244,6 +282,7 @@ Command parse_command_line(std::vector<std::string> arguments) {
   try {
     if (first == "check") return parse_check(std::move(arguments));
     if (first == "dump") return parse_dump(std::move(arguments));
+    if (first == "plan") return parse_plan(std::move(arguments));
     return parse_render(std::move(arguments));
   } catch (const UsageError& problem) {
     return wrong(problem.what());

@@ -39,13 +39,21 @@ struct DumpCommand {
   session::RunOptions run;
 };
 
+struct PlanCommand {
+  std::string file;
+  std::optional<std::string> view;  // else the first
+  tracer::Options options;
+  bool json = false;
+  session::RunOptions run;
+};
+
 /// Nothing to do but to say something: help, the version, or what is wrong with the command line.
 struct Answer {
   int exit_code;
   std::string text;
 };
 
-using Command = std::variant<RenderCommand, CheckCommand, DumpCommand, Answer>;
+using Command = std::variant<RenderCommand, CheckCommand, DumpCommand, PlanCommand, Answer>;
 
 /// `arguments` without the program's own name. `lancer FILE` is `lancer render FILE`.
 Command parse_command_line(std::vector<std::string> arguments);

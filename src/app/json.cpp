@@ -86,9 +86,45 @@ std::string to_json(const RenderStats& stats) {
                   {"shadow_rays", s.shadow_rays},
                   {"shape_tests", s.shape_tests},
                   {"node_visits", s.node_visits},
+                  {"branchings", s.branchings},
+                  {"medium_changes", s.medium_changes},
+                  {"pattern_lookups", s.pattern_lookups},
+                  {"not_shot",
+                   {{"lights_behind", s.lights_behind},
+                    {"lights_outside_cone", s.lights_outside_cone},
+                    {"lights_unanswered", s.lights_unanswered},
+                    {"lights_faint", s.lights_faint},
+                    {"rays_faint", s.rays_faint}}},
                   {"build_seconds", s.build_seconds},
                   {"render_seconds", s.render_seconds},
                   {"total_seconds", stats.total_seconds}});
+}
+
+std::string to_json(const PlanReport& report) {
+  Json skips = Json::array();
+  for (const PlanReport::Line& line : report.skips) {
+    skips.push_back({{"name", line.name}, {"verdict", line.verdict}, {"what", line.what}, {"why", line.why}});
+  }
+  Json shapes = Json::object(), lights = Json::object();
+  for (const auto& [kind, count] : report.shapes) shapes[kind] = count;
+  for (const auto& [kind, count] : report.lights) lights[kind] = count;
+  return line_of({{"file", report.file},
+                  {"view", report.view},
+                  {"other_views", report.other_views},
+                  {"width", report.width},
+                  {"height", report.height},
+                  {"samples", report.samples},
+                  {"primary_rays", report.primary_rays},
+                  {"depth", report.depth},
+                  {"reflects", report.reflects},
+                  {"transmits", report.transmits},
+                  {"shadows", report.shadows},
+                  {"structure", report.structure},
+                  {"things", report.things},
+                  {"materials", report.materials},
+                  {"shapes", shapes},
+                  {"lights", lights},
+                  {"skips", skips}});
 }
 
 }  // namespace lancer::app

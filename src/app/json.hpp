@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/plan_command.hpp"
 #include "app/render_command.hpp"
 #include "base/diagnostic.hpp"
 
@@ -20,5 +21,7 @@ std::string to_json(std::vector<Diagnostic> diagnostics, const SourceMap& source
 std::string problem_to_json(const std::string& file, const std::string& message);
 
 std::string to_json(const RenderStats& stats);
+
+std::string to_json(const PlanReport& report);
 
 }  // namespace lancer::app

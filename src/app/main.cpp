@@ -11,6 +11,7 @@
 #include "app/dump_command.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
+#include "app/plan_command.hpp"
 #include "app/render_command.hpp"
 
 namespace lancer::app {
@@ -30,6 +31,7 @@ int run(const Command& command, const Console& console) {
   if (const auto* c = std::get_if<RenderCommand>(&command)) return render(*c, console);
   if (const auto* c = std::get_if<CheckCommand>(&command)) return check(*c, console);
   if (const auto* c = std::get_if<DumpCommand>(&command)) return dump(*c, console);
+  if (const auto* c = std::get_if<PlanCommand>(&command)) return plan(*c, console);
   return answer(std::get<Answer>(command), console);
 }
 

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <vector>
 
+#include "base/diagnostic.hpp"
+
 namespace lancer::app {
 namespace {
 
@@ -56,6 +58,23 @@ tracer::Region read_region(const std::string& text) {
         text));
   }
   return region;
+}
+
+tracer::Skips read_skips(const std::string& text) {
+  if (text == "true") return tracer::Skips::none();
+  const std::vector<std::string_view> names(tracer::k_skip_names.begin(), tracer::k_skip_names.end());
+  tracer::Skips skips = tracer::Skips::all();
+  for (const std::string& name : split_at_commas(text)) {
+    const std::optional<tracer::Skip> skip = tracer::skip_from_name(name);
+    if (!skip) {
+      const std::string_view near = nearest(name, names);
+      throw UsageError(fmt::format("--no-skip: there is no skip `{}`{}; the skips are {}", name,
+                                   near.empty() ? "" : fmt::format(" (did you mean `{}`?)", near),
+                                   fmt::join(names, ", ")));
+    }
+    skips = skips.without(*skip);
+  }
+  return skips;
 }
 
 session::Define read_define(const std::string& text) {

@@ -26,6 +26,9 @@ void read_size(const std::string& text, tracer::Options& options);
 /// "X0,Y0,X1,Y1", whole, X0 < X1 and Y0 < Y1.
 tracer::Region read_region(const std::string& text);
 
+/// "media,tree": all skips but these; "true", as an option without a value is given: none at all.
+tracer::Skips read_skips(const std::string& text);
+
 /// "name=value".
 session::Define read_define(const std::string& text);
 

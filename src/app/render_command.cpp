@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/exit_code.hpp"
+#include "app/find_view.hpp"
 #include "app/json.hpp"
 #include "app/option_values.hpp"
 #include "app/output_path.hpp"
@@ -39,7 +40,6 @@ class Renderer {
   bool to_stream() const { return path_ == k_stream; }
   void run_script_first();
   std::vector<std::size_t> chosen_views() const;
-  std::size_t find_view(const std::string& name) const;
   std::vector<Target> targets() const;
   void check_target(const Target& target) const;
   void note_other_views(const Target& drawn) const;
@@ -106,23 +106,12 @@ void Renderer::run_script_first() {
   steps_ = run.steps;
 }
 
-std::size_t Renderer::find_view(const std::string& name) const {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < session_.views().size(); ++i) names.push_back(session_.view_name(i));
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  const std::string_view near = nearest(name, std::vector<std::string_view>(names.begin(), names.end()));
-  throw UsageError(fmt::format("there is no view `{}`{}; the views are `{}`", name,
-                               near.empty() ? "" : fmt::format(" (did you mean `{}`?)", near),
-                               fmt::join(names, "`, `")));
-}
-
 std::vector<std::size_t> Renderer::chosen_views() const {
   std::vector<std::size_t> out;
   const std::size_t count = session_.views().size();
   for (std::size_t i = 0; command_.all_views && i < count; ++i) out.push_back(i);
   for (const std::string& name : command_.views) {
-    const std::size_t i = find_view(name);
+    const std::size_t i = find_view(session_, name);
     if (std::find(out.begin(), out.end(), i) == out.end()) out.push_back(i);
   }
   if (out.empty()) out.push_back(0);
@@ -203,17 +192,34 @@ void Renderer::write(const Target& target, const image::Image& picture) {
   }
 }
 
+/// What was left out, with what it would have been; empty where nothing was.
+std::string saved_text(const tracer::Stats& s) {
+  std::string out;
+  const auto add = [&](std::uint64_t count, const char* what) {
+    if (count > 0) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count, what);
+  };
+  add(s.lights_behind, "shadow rays to lights behind the surface");
+  add(s.lights_outside_cone, "to lights aimed elsewhere");
+  add(s.lights_unanswered, "from surfaces that send none of the light back");
+  add(s.lights_faint, "to lights too weak to show");
+  add(s.rays_faint, "reflected and refracted rays too weak to show");
+  return out.empty() ? out : fmt::format("  not shot       {}\n", out);
+}
+
 std::string stats_text(const RenderStats& stats) {
   const tracer::Stats& s = stats.tracer;
   return fmt::format(
       "view `{}`: {} x {} pixels, {} samples each, {} threads\n"
       "  script         {} steps, {} shapes, {} lights\n"
       "  rays           {} primary, {} reflected, {} refracted, {} shadow\n"
+      "{}"
       "  tests          {} of shapes, {} of nodes\n"
+      "  surfaces       {} looked at for rays that go on, {} for open solids, {} colours of patterns\n"
       "  seconds        {:.3f} preparing, {:.3f} drawing, {:.3f} in all\n",
       stats.view, stats.width, stats.height, stats.samples, s.threads, stats.steps, stats.shapes,
-      stats.lights, s.primary_rays, s.reflected_rays, s.refracted_rays, s.shadow_rays, s.shape_tests,
-      s.node_visits, s.build_seconds, s.render_seconds, stats.total_seconds);
+      stats.lights, s.primary_rays, s.reflected_rays, s.refracted_rays, s.shadow_rays, saved_text(s),
+      s.shape_tests, s.node_visits, s.branchings, s.medium_changes, s.pattern_lookups, s.build_seconds,
+      s.render_seconds, stats.total_seconds);
 }
 
 void Renderer::tell(const Target& target, const tracer::Rendered& rendered, double seconds) {

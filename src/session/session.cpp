@@ -207,6 +207,10 @@ std::string Session::view_name(std::size_t index) const {
                      std::count_if(views.begin(), last, [](const scene::View& v) { return v.name == 0; }));
 }
 
+tracer::Plan Session::plan(const scene::View& view, const tracer::Options& options) const {
+  return tracer::plan(state_->scene, view, options);
+}
+
 tracer::Rendered Session::render(const scene::View& view, const tracer::Options& options,
                                  const tracer::Watch& watch) const {
   return tracer::render(state_->scene, view, options, watch);

@@ -12,6 +12,7 @@
 #include "lang/limits.hpp"
 #include "scene/scene.hpp"
 #include "session/host.hpp"
+#include "tracer/plan.hpp"
 #include "tracer/render.hpp"
 
 namespace lancer::session {
@@ -73,6 +74,8 @@ class Session {
   /// What to call view number `index` of those: its name, or "view 1" by its place among those without one.
   std::string view_name(std::size_t index) const;
 
+  /// What render() would do, and leave out.
+  tracer::Plan plan(const scene::View& view, const tracer::Options& options) const;
   tracer::Rendered render(const scene::View& view, const tracer::Options& options,
                           const tracer::Watch& watch = {}) const;
 

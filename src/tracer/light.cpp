@@ -28,24 +28,32 @@ double cone(const scene::Light& light, Vec3 towards) {
 
 }  // namespace
 
-Incoming incoming(const scene::Light& light, Vec3 p) {
+Bearing bearing(const scene::Light& light, Vec3 p) {
   if (light.kind == scene::LightKind::sun) {
-    return {-normalize(light.direction), std::numeric_limits<double>::infinity(), light.color};
+    return {-normalize(light.direction), std::numeric_limits<double>::infinity()};
   }
   const Vec3 way = light.at - p;
   const double distance = length(way);
-  if (distance == 0) return {};
-  Incoming in{normalize(way), distance, light.color};
+  return distance == 0 ? Bearing{} : Bearing{normalize(way), distance};
+}
+
+Color intensity(const scene::Light& light, const Bearing& from) {
+  if (light.kind == scene::LightKind::sun) return light.color;
+  if (from.distance == 0) return {};
+  Color out = light.color;
   if (light.falloff > 0) {
-    const double ratio = light.falloff / distance;
-    in.intensity = in.intensity * (ratio * ratio);
+    const double ratio = light.falloff / from.distance;
+    out = out * (ratio * ratio);
   }
-  if (light.kind == scene::LightKind::spot) in.intensity = in.intensity * cone(light, in.towards);
+  if (light.kind == scene::LightKind::spot) out = out * cone(light, from.towards);
   // Beyond what numbers hold, so that a surface that sends nothing back does so here too.
   constexpr double k_most = std::numeric_limits<double>::max();
-  in.intensity = {std::fmin(in.intensity.r, k_most), std::fmin(in.intensity.g, k_most),
-                  std::fmin(in.intensity.b, k_most)};
-  return in;
+  return {std::fmin(out.r, k_most), std::fmin(out.g, k_most), std::fmin(out.b, k_most)};
+}
+
+Incoming incoming(const scene::Light& light, Vec3 p) {
+  const Bearing from = bearing(light, p);
+  return {from.towards, from.distance, intensity(light, from)};
 }
 
 }  // namespace lancer::tracer

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/intersect.hpp"
 #include "tracer/shapes/solid_angle.hpp"
 
 namespace lancer::tracer {
@@ -15,7 +16,8 @@ Landing way_out(const World& world, std::uint32_t shape, const Probe& probe, Sta
   const auto test = [&](std::uint32_t primitive) {
     ++stats.shape_tests;
     const Roots found = roots(world, primitive, probe);
-    for (int i = 0; i < found.count; ++i) {
+    const Interval own = found.count > 0 ? own_interval(world, primitive, probe) : Interval{};
+    for (int i = 0; i < found.count && own.enter <= own.leave; ++i) {
       const Root& root = found.root[i];
       if (root.entering || !(root.t > 0) || !(root.t < nearest.t)) continue;
       nearest = root;
@@ -29,6 +31,10 @@ Landing way_out(const World& world, std::uint32_t shape, const Probe& probe, Sta
   };
   if (last - first == 1) {
     test(first);
+    return exactly();
+  }
+  if (world.bounded.empty()) {  // no tree
+    for (std::uint32_t primitive = first; primitive < last; ++primitive) test(primitive);
     return exactly();
   }
   world.tree.traverse(probe, nearest.t, stats.node_visits, [&](std::uint32_t item) {

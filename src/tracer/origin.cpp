@@ -7,9 +7,9 @@
 namespace lancer::tracer {
 namespace {
 
-class Extent {
+class Spread {
  public:
-  explicit Extent(const scene::Scene& scene) : scene_(scene) {
+  explicit Spread(const scene::Scene& scene) : scene_(scene) {
     for (const scene::Shape& shape : scene.shapes) add(shape);
   }
 
@@ -61,10 +61,10 @@ class Extent {
 }  // namespace
 
 Vec3 world_origin(const scene::Scene& scene, Vec3 eye) {
-  const Extent extent(scene);
+  const Spread spread(scene);
   Vec3 origin;
   for (int axis = 0; axis < 3; ++axis) {
-    if (extent.may_move(axis, eye[axis])) origin[axis] = eye[axis];
+    if (spread.may_move(axis, eye[axis])) origin[axis] = eye[axis];
   }
   return origin;
 }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tracer/faint.hpp"
 #include "tracer/shade.hpp"
 
 namespace lancer::tracer {
@@ -11,7 +12,7 @@ namespace lancer::tracer {
 /// One thread's tracer. Returns early, with no meaningful value, once the tracing is cancelled.
 class Tracer {
  public:
-  explicit Tracer(const Tracing& tracing) : tracing_(tracing) {}
+  explicit Tracer(const Tracing& tracing) : tracing_(tracing), cells_(*tracing.world->scene, *tracing.plan) {}
 
   /// What arrives along the ray, of which `depth` deviations may be followed.
   Color radiance(Ray ray, int depth);
@@ -19,26 +20,33 @@ class Tracer {
   Stats& stats() { return stats_; }
 
  private:
-  /// A ray still to be followed, and what its radiance counts in the sum.
-  struct Pending {
-    Ray ray;
-    Color share;
-    int depth;
-  };
   /// A surface whose radiance waits for that of a ray (sum "log", where a share cannot be carried along).
   struct Waiting {
     Joined value;
     Color share, also;
+    Color reach;  // what a change of this surface's radiance changes the sum by, at the most
     int depth;
     bool then_transmitted;  // the last of `later_` is its second ray
   };
 
+  /// Where nothing goes on from what a ray meets.
+  Color one_surface(const Ray& ray);
   Color linear(Ray ray, int depth);
+  /// As linear(), but what is too faint to show is left out.
+  Color linear_to_error(Ray ray, int depth);
+  /// Drops the branch of a surface with that `reach` if it is too faint to show.
+  void drop_if_faint(std::optional<Branch>& branch, Color reach, int depth, Allowance& allowance);
+  /// What may go missing in all from a sample that already sees `seen`.
+  Color allowance(Color seen) const;
   Color log(Ray ray, int depth);
 
+  LightCells* cells() { return tracing_.plan->light_cells.used ? &cells_ : nullptr; }
+
   Tracing tracing_;
+  LightCells cells_;
   Stats stats_;
   std::vector<Pending> pending_;
+  PendingRays brightest_;
   std::vector<Waiting> waiting_;
   std::vector<Branch> later_;
 };

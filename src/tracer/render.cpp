@@ -99,13 +99,7 @@ class Tiles {
       draw(tracer, static_cast<int>(tile % across_), static_cast<int>(tile / across_));
     }
     const std::lock_guard lock(stats_mutex_);
-    const Stats& mine = tracer.stats();
-    total.primary_rays += mine.primary_rays;
-    total.reflected_rays += mine.reflected_rays;
-    total.refracted_rays += mine.refracted_rays;
-    total.shadow_rays += mine.shadow_rays;
-    total.shape_tests += mine.shape_tests;
-    total.node_visits += mine.node_visits;
+    total.add(tracer.stats());
   }
 
   bool finished() const { return bands_done_.load() == down_; }
@@ -185,10 +179,10 @@ Rendered render(const scene::Scene& scene, const scene::View& view, const Option
   const int columns = options.columns.value_or(view.columns), rows = options.rows.value_or(view.rows);
   const auto build_start = std::chrono::steady_clock::now();
   out.stats.threads = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+  const Plan needed = plan(scene, view, options);
   World world;
   with_threads(out.stats.threads,
-               [&] { world = prepare(scene, world_origin(scene, view.eye), watch.cancel); });
-  const Plan needed = plan(scene, view, options);
+               [&] { world = prepare(scene, world_origin(scene, view.eye), watch.cancel, needed.tree); });
   Job job{{&world, &needed, watch.cancel},
           Camera(view, columns, rows, world.origin),
           {0, 0, columns, rows},

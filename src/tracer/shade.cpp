@@ -25,45 +25,106 @@ Color reflected_light(const Surface& surface, Vec3 towards, Vec3 view, double n_
   return sum + surface.specular * math::pow(n_dot_h, surface.shininess);
 }
 
-Color from_light(const Tracing& tracing, const scene::Light& light, const Ray& ray, const Hit& hit,
-                 const Surface& surface, Stats& stats) {
-  const Incoming in = incoming(light, hit.point);
-  if (is_black(in.intensity)) return {};
-  const double n_dot_l = dot(surface.normal, in.towards);
-  if (!(n_dot_l > 0)) return {};
-  const Color unshadowed = in.intensity * reflected_light(surface, in.towards, -ray.direction, n_dot_l);
-  if (is_black(unshadowed)) return {};
-  if (tracing.plan->shadows == ShadowWork::none) return unshadowed;
-  const Ray shadow_ray = ray_from(*tracing.world, hit, in.towards);
-  return light_through(*tracing.world, tracing.plan->shadows, shadow_ray, in.distance, stats) * unshadowed;
+/// A surface that a ray met, for the lights and rays that are asked from there.
+struct Meeting {
+  const Tracing& tracing;
+  const Ray& ray;
+  const Hit& hit;
+  const Surface& surface;
+};
+
+bool is_too_faint(const Asking& asking, Color light, Stats& stats) {
+  if (!asking.allowance || !asking.allowance->takes(asking.share * light)) return false;
+  ++stats.lights_faint;
+  return true;
+}
+
+/// The light's whole term without shadows. Nothing where it is known to be black, and need not be asked for
+/// shadows; why is counted.
+std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, const Bearing& from,
+                                const Asking& asking, Stats& stats) {
+  const Skips skips = at.tracing.plan->skips;
+  const double n_dot_l = dot(at.surface.normal, from.towards);
+  const bool in_front = n_dot_l > 0;
+  if (!in_front && skips.has(Skip::dark_lights)) {
+    ++stats.lights_behind;
+    return std::nullopt;
+  }
+  const Color arriving = intensity(light, from);
+  if (is_black(arriving) && skips.has(Skip::dark_lights)) {
+    ++stats.lights_outside_cone;
+    return std::nullopt;
+  }
+  // Before the highlight is worked out, and with it.
+  const Color most = arriving * (at.surface.diffuse * std::fmax(0, n_dot_l) + at.surface.specular);
+  if (is_too_faint(asking, most, stats)) return std::nullopt;
+  const Color sent =
+      in_front ? arriving * reflected_light(at.surface, from.towards, -at.ray.direction, n_dot_l) : Color{};
+  if (is_black(sent) && in_front && !is_black(arriving) && skips.has(Skip::zero_terms)) {
+    ++stats.lights_unanswered;
+    return std::nullopt;
+  }
+  if (is_too_faint(asking, sent, stats)) return std::nullopt;
+  return sent;
+}
+
+Color from_light(const Meeting& at, const scene::Light& light, const Asking& asking, Stats& stats) {
+  const Plan& plan = *at.tracing.plan;
+  const Bearing from = bearing(light, at.hit.point);
+  if (from.distance == 0) return {};
+  const std::optional<Color> sent = unshadowed(at, light, from, asking, stats);
+  if (!sent) return {};
+  if (plan.shadows == ShadowWork::none) return *sent;
+  const World& world = *at.tracing.world;
+  const Ray shadow_ray = ray_from(world, at.hit, from.towards);
+  const Color through = light_through(world, plan.shadows, shadow_ray, from.distance, stats, plan.any_hit);
+  return is_black(*sent) ? Color{} : through * *sent;
+}
+
+void ask_lights(const Meeting& at, const Asking& asking, Joined& sum, Stats& stats) {
+  const Plan& plan = *at.tracing.plan;
+  const std::vector<scene::Light>& all = at.tracing.world->lights;
+  const auto ask = [&](const scene::Light& light) { sum.add(from_light(at, light, asking, stats)); };
+  const std::vector<scene::Index>* some = plan.every_light ? nullptr : &plan.lights;
+  if (asking.cells) {
+    const LightCells::Cell& cell = asking.cells->at(at.hit.point + at.tracing.world->origin);
+    stats.lights_outside_cone += cell.outside_cone;
+    stats.lights_faint += cell.faint;
+    some = &cell.lights;
+  }
+  const std::size_t count = some ? some->size() : all.size();
+  for (std::size_t i = 0; i < count && !at.tracing.cancelled(); ++i) ask(all[some ? (*some)[i] : i]);
 }
 
 /// The solids that a ray from the hit is inside of. A ray that only touches a sphere or box goes on outside,
 /// whichever way rounding has it.
-OpenSolids open_after(const Tracing& tracing, const Hit& hit, Vec3 direction, OpenSolids open) {
+OpenSolids open_after(const Tracing& tracing, const Hit& hit, Vec3 direction, OpenSolids open, Stats& stats) {
   const World& world = *tracing.world;
   if (!tracing.plan->media || !is_convex_solid(world.primitives[hit.primitive].kind)) return open;
+  ++stats.medium_changes;
   cross(world, open, hit.shape, dot(hit.normal, direction) < 0);
   return open;
 }
 
-Branch reflection(const Tracing& tracing, const Ray& ray, const Hit& hit, const Surface& surface,
-                  Color share) {
-  Branch branch{ray_from(*tracing.world, hit, mirrored(ray.direction, surface.normal)), share, {}};
-  branch.ray.open = open_after(tracing, hit, branch.ray.direction, ray.open);
+Branch reflection(const Meeting& at, Color share, Stats& stats) {
+  const Vec3 direction = mirrored(at.ray.direction, at.surface.normal);
+  Branch branch{ray_from(*at.tracing.world, at.hit, direction), share, {}};
+  branch.ray.open = open_after(at.tracing, at.hit, direction, at.ray.open, stats);
   return branch;
 }
 
 /// The two directions in which light goes on, and what of it.
-void add_branches(const Tracing& tracing, const Ray& ray, const Hit& hit, const Surface& surface,
-                  Shaded& out) {
+void add_branches(const Meeting& at, Shaded& out, Stats& stats) {
+  const auto& [tracing, ray, hit, surface] = at;
   const World& world = *tracing.world;
+  ++stats.branchings;
   Color mirror_share = surface.reflection;
   Color through_share = surface.transmission;
   if (!is_black(through_share)) {
     OpenSolids beyond = ray.open;
     double from = 1, to = 1;
     if (tracing.plan->media) {
+      ++stats.medium_changes;
       cross(world, beyond, hit.shape, hit.root.entering);
       from = refractive_index(world, ray.open);
       to = refractive_index(world, beyond);
@@ -75,16 +136,16 @@ void add_branches(const Tracing& tracing, const Ray& ray, const Hit& hit, const 
     }
     const std::optional<Vec3> direction = refracted(ray.direction, surface.normal, from, to);
     if (!direction) {
-      out.reflected = reflection(tracing, ray, hit, surface, mirror_share);
+      out.reflected = reflection(at, mirror_share, stats);
       out.reflected->also = through_share;
       return;
     }
     if (!is_black(through_share)) {
       out.transmitted = Branch{ray_from(world, hit, *direction), through_share, {}};
-      out.transmitted->ray.open = open_after(tracing, hit, *direction, beyond);
+      out.transmitted->ray.open = open_after(tracing, hit, *direction, beyond, stats);
     }
   }
-  if (!is_black(mirror_share)) out.reflected = reflection(tracing, ray, hit, surface, mirror_share);
+  if (!is_black(mirror_share)) out.reflected = reflection(at, mirror_share, stats);
 }
 
 }  // namespace
@@ -100,16 +161,21 @@ void Joined::add(Color term) {
 
 bool Joined::is_full() const { return how_ == scene::Sum::log && value_ == grey(1); }
 
-Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow, Stats& stats) {
+Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow, Stats& stats,
+             const Asking& asking) {
+  const Plan& plan = *tracing.plan;
   const scene::Scene& scene = *tracing.world->scene;
-  const Surface surface = surface_at(*tracing.world, ray, hit);
+  const MaterialNeeds& needs = plan.needs_of(scene.shapes[hit.shape].material);
+  const Surface surface = surface_at(*tracing.world, needs, ray, hit, follow, stats);
+  const Meeting at{tracing, ray, hit, surface};
   Shaded out{Joined(scene.settings.sum), {}, {}};
   out.own.add(surface.ambient * scene.settings.ambient);
-  for (const scene::Light& light : tracing.world->lights) {
-    if (tracing.cancelled()) break;
-    out.own.add(from_light(tracing, light, ray, hit, surface, stats));
+  if (needs.direct) {
+    ask_lights(at, asking, out.own, stats);
+  } else {
+    stats.lights_unanswered += plan.every_light ? scene.lights.size() : plan.lights.size();
   }
-  if (follow) add_branches(tracing, ray, hit, surface, out);
+  if (follow && needs.onward) add_branches(at, out, stats);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <optional>
 
+#include "tracer/faint.hpp"
 #include "tracer/intersect.hpp"
 #include "tracer/plan.hpp"
 
@@ -47,7 +48,15 @@ struct Tracing {
   bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
 };
 
+/// How lights are asked at a surface that counts `share` in the sum.
+struct Asking {
+  Color share;
+  Allowance* allowance = nullptr;  // for those too weak to show; null: none is left out
+  LightCells* cells = nullptr;     // null: all are asked everywhere
+};
+
 /// The surface at the hit, seen along the ray; its branches only where `follow` is set.
-Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow, Stats& stats);
+Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow, Stats& stats,
+             const Asking& asking = {});
 
 }  // namespace lancer::tracer

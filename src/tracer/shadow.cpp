@@ -38,12 +38,14 @@ bool casts(const World& world, const Crossing& crossing) {
   return world.scene->shapes[crossing.shape].shadow;
 }
 
-Color filtered(const World& world, const Ray& ray, double distance, Stats& stats) {
+Color filtered(const World& world, const Ray& ray, double distance, Stats& stats, bool any_hit) {
   CrossingList list;
-  const bool blocked = crossings(world, ray, distance, stats, [&](const Crossing& crossing) {
+  bool blocked = false;
+  crossings(world, ray, distance, stats, [&](const Crossing& crossing) {
     if (!casts(world, crossing)) return false;
     list.push_back(crossing);
-    return is_black(*world.scene, world.material_of(crossing.shape).transmission);
+    blocked = blocked || is_black(*world.scene, world.material_of(crossing.shape).transmission);
+    return blocked && any_hit;
   });
   if (blocked) return {};
   std::sort(list.begin(), list.end(), comes_first);
@@ -56,12 +58,16 @@ Color filtered(const World& world, const Ray& ray, double distance, Stats& stats
 
 }  // namespace
 
-Color light_through(const World& world, ShadowWork work, const Ray& ray, double distance, Stats& stats) {
+Color light_through(const World& world, ShadowWork work, const Ray& ray, double distance, Stats& stats,
+                    bool any_hit) {
   if (work == ShadowWork::none) return grey(1);
   ++stats.shadow_rays;
-  if (work == ShadowWork::filtered) return filtered(world, ray, distance, stats);
-  const bool blocked = crossings(world, ray, distance, stats,
-                                 [&](const Crossing& crossing) { return casts(world, crossing); });
+  if (work == ShadowWork::filtered) return filtered(world, ray, distance, stats, any_hit);
+  bool blocked = false;
+  crossings(world, ray, distance, stats, [&](const Crossing& crossing) {
+    blocked = blocked || casts(world, crossing);
+    return blocked && any_hit;
+  });
   return grey(blocked ? 0 : 1);
 }
 

@@ -37,21 +37,33 @@ Vec3 shading_normal(const World& world, const Ray& ray, const Hit& hit) {
 
 }  // namespace
 
-Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {
+Surface surface_at(const World& world, const MaterialNeeds& needs, const Ray& ray, const Hit& hit,
+                   bool follow, Stats& stats) {
   const scene::Scene& scene = *world.scene;
   const scene::Material& m = world.material_of(hit.shape);
   OwnPoint at;
-  if (has_pattern(m)) {
+  if (needs.pattern) {
     at = own_point(world, hit.shape, hit.point, pattern_error(world, hit.primitive, hit.point));
   }
+  const auto color = [&](const scene::Texture& texture, bool needed) {
+    if (texture.pattern == scene::k_none) return texture.color;
+    if (!needed) return Color{};
+    ++stats.pattern_lookups;
+    return color_at(scene.patterns[texture.pattern], at);
+  };
   return {shading_normal(world, ray, hit),
-          color_at(scene, m.ambient, at),
-          color_at(scene, m.diffuse, at),
-          color_at(scene, m.specular, at),
-          color_at(scene, m.reflection, at),
-          color_at(scene, m.transmission, at),
+          color(m.ambient, needs.ambient),
+          color(m.diffuse, needs.diffuse),
+          color(m.specular, needs.specular),
+          color(m.reflection, needs.reflection && follow),
+          color(m.transmission, needs.transmission && follow),
           m.shininess,
           m.fresnel};
+}
+
+Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {
+  Stats ignored;
+  return surface_at(world, {}, ray, hit, true, ignored);
 }
 
 }  // namespace lancer::tracer

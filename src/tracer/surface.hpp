@@ -2,6 +2,7 @@
 // A hit made ready for shading: colours at the point, and the normal that faces the ray.
 
 #include "tracer/intersect.hpp"
+#include "tracer/plan.hpp"
 
 namespace lancer::tracer {
 
@@ -12,6 +13,12 @@ struct Surface {
   bool fresnel = false;
 };
 
+/// Only the colours that are needed are worked out, the last two only where rays go on (`follow`); others are
+/// black where they depend on the point.
+Surface surface_at(const World& world, const MaterialNeeds& needs, const Ray& ray, const Hit& hit,
+                   bool follow, Stats& stats);
+
+/// All colours.
 Surface surface_at(const World& world, const Ray& ray, const Hit& hit);
 
 }  // namespace lancer::tracer

@@ -6,7 +6,7 @@
 
 namespace lancer::tracer {
 
-World prepare(const scene::Scene& scene, Vec3 origin, const std::atomic<bool>* cancel) {
+World prepare(const scene::Scene& scene, Vec3 origin, const std::atomic<bool>* cancel, bool with_tree) {
   World world;
   world.scene = &scene;
   world.origin = origin;
@@ -23,7 +23,7 @@ World prepare(const scene::Scene& scene, Vec3 origin, const std::atomic<bool>* c
   world.first_primitive.push_back(static_cast<std::uint32_t>(world.primitives.size()));
 
   for (std::uint32_t primitive = 0; primitive < world.primitives.size(); ++primitive) {
-    if (world.primitives[primitive].kind == Kind::plane) {
+    if (!with_tree || world.primitives[primitive].kind == Kind::plane) {
       world.unbounded.push_back(primitive);
     } else {
       world.bounded.push_back(primitive);

@@ -56,8 +56,10 @@ struct World {
 };
 
 /// `scene` must outlive the world, whose own space starts at `origin` of the scene's. Facets without an area
-/// are left out. Once `cancel` is set it returns soon, with an unusable world.
-World prepare(const scene::Scene& scene, Vec3 origin = {}, const std::atomic<bool>* cancel = nullptr);
+/// are left out. Without a tree all primitives are `unbounded`: asked one by one. Once `cancel` is set it
+/// returns soon, with an unusable world.
+World prepare(const scene::Scene& scene, Vec3 origin = {}, const std::atomic<bool>* cancel = nullptr,
+              bool with_tree = true);
 
 /// Does the shape have an inside? All have but facets and open meshes.
 bool encloses(const scene::Scene& scene, std::uint32_t shape);

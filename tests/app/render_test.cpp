@@ -300,7 +300,37 @@ TEST_CASE("render: stats as text and as JSON", "[app][render]") {
   CHECK(stats["threads"] == 1);
   CHECK(stats["primary_rays"] == 12 * 8 * 4);
   CHECK(stats["shapes"] == 1);
+  CHECK(stats["not_shot"]["lights_behind"] > 0);
+  CHECK(stats["not_shot"]["rays_faint"] == 0);
   const Result both = run_program({scene, "--stats=json", "--quiet", "-o", "-"});
   CHECK(both.out.find(k_png) == 0);
   CHECK(nlohmann::json::parse(both.err)["file"] == "-");
+}
+
+TEST_CASE("render: without skips the picture is the same, and costs more", "[app][render]") {
+  test::Folder f;
+  const std::string scene = f.write("a.scn", k_scene);
+  const auto stats = [&](const std::string& out, const std::string& option) {
+    const Result r = run_program({scene, "--stats=json", "--quiet", "-o", f.path(out), option});
+    REQUIRE(r.exit_code == 0);
+    return nlohmann::json::parse(r.out);
+  };
+  const auto with = stats("a.pfm", "--samples=16"), without = stats("b.pfm", "--no-skip"),
+             lights = stats("c.pfm", "--no-skip=dark-lights,zero-terms");
+  CHECK(f.read("a.pfm") == f.read("b.pfm"));
+  CHECK(f.read("a.pfm") == f.read("c.pfm"));
+  CHECK(with["node_visits"] == 0);
+  CHECK(without["node_visits"] > 0);
+  CHECK(lights["node_visits"] == 0);
+  CHECK(lights["shadow_rays"] > with["shadow_rays"]);
+  CHECK(lights["not_shot"]["lights_behind"] == 0);
+}
+
+TEST_CASE("render: a skip of no known name is refused with the one that was meant", "[app][render]") {
+  test::Folder f;
+  const Result r = run_program({f.write("a.scn", k_scene), "--no-skip=tree,mdia"});
+  CHECK(r.exit_code == 2);
+  CHECK(
+      r.err.find("lancer: --no-skip: there is no skip `mdia` (did you mean `media`?); the skips are any-hit, "
+                 "dark-lights, ") == 0);
 }

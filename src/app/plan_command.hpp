@@ -1,0 +1,42 @@
+#pragma once
+// lancer plan: what a render does, what it leaves out, and why.
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/command_line.hpp"
+#include "app/console.hpp"
+
+namespace lancer::app {
+
+/// The plan of one view, in words.
+struct PlanReport {
+  /// A skip.
+  struct Line {
+    std::string name, verdict;  // verdict: "skipped", "as met", "needed", "off"
+    std::string what, why;
+  };
+  using Counts = std::vector<std::pair<std::string, std::uint64_t>>;  // kind, how many; none that are 0
+
+  std::string file, view;
+  std::vector<std::string> other_views;
+  int width = 0, height = 0, samples = 0;
+  std::uint64_t primary_rays = 0;
+  int depth = 0;  // of rays that go on; 0 where none does
+  bool reflects = false, transmits = false;
+  std::string shadows;          // "none", "blocked", "filtered"
+  std::string structure;        // "list", "tree"
+  std::uint64_t things = 0;     // that it holds
+  std::uint64_t materials = 0;  // that some shape wears
+  Counts shapes, lights;
+  std::vector<Line> skips;
+};
+
+std::string to_text(const PlanReport& report);
+
+/// The exit code.
+int plan(const PlanCommand& command, const Console& console);
+
+}  // namespace lancer::app
