@@ -10,10 +10,9 @@ int dump(const DumpCommand& command, const Console& console) {
   session::Session session(host);
   session::RunOptions options = command.run;
   options.interrupt = &console.interrupt;
-  session::Run run = command.ast ? parse_script(session, host, command.file)
-                                 : run_script(session, host, command.file, options);
-  std::erase_if(run.diagnostics, [](const Diagnostic& d) { return d.code == Code::unused; });
-  report(session, run, console);
+  const session::Run run = command.ast ? parse_script(session, host, command.file)
+                                       : run_script(session, host, command.file, options);
+  report_mistakes(session, run, console);
   if (run.outcome != session::Outcome::fine) return exit_code_of(run.outcome);
   console.out.write(command.ast ? session.ast_dump() : scene::dump(session.scene()));
   console.out.flush();

@@ -108,9 +108,8 @@ int run(const PlanCommand& command, const Console& console) {
   session::Session session(host);
   session::RunOptions options = command.run;
   options.interrupt = &console.interrupt;
-  session::Run run = run_script(session, host, command.file, options);
-  std::erase_if(run.diagnostics, [](const Diagnostic& d) { return d.code == Code::unused; });
-  report(session, run, console);
+  const session::Run run = run_script(session, host, command.file, options);
+  report_mistakes(session, run, console);
   if (run.outcome != session::Outcome::fine) return exit_code_of(run.outcome);
   const PlanReport made = report_on(session, command, command.view ? find_view(session, *command.view) : 0);
   console.out.write(command.json ? to_json(made) : to_text(made));

@@ -97,11 +97,9 @@ void Renderer::run() {
 void Renderer::run_script_first() {
   session::RunOptions options = command_.run;
   options.interrupt = &console_.interrupt;
-  session::Run run = run_script(session_, host_, command_.file, options);
+  const session::Run run = run_script(session_, host_, command_.file, options);
   console_.out.flush();
-  // That a name is not used says `check`.
-  std::erase_if(run.diagnostics, [](const Diagnostic& d) { return d.code == Code::unused; });
-  report(session_, run, console_);
+  report_mistakes(session_, run, console_);
   if (run.outcome != session::Outcome::fine) throw Ended{exit_code_of(run.outcome)};
   steps_ = run.steps;
 }

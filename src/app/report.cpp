@@ -55,4 +55,9 @@ void report(const session::Session& session, const Run& run, const Console& cons
   if (run.outcome == Outcome::interrupted) complain("interrupted");
 }
 
+void report_mistakes(const session::Session& session, Run run, const Console& console) {
+  std::erase_if(run.diagnostics, [](const Diagnostic& d) { return d.code == Code::unused; });
+  report(session, run, console);
+}
+
 }  // namespace lancer::app

@@ -21,5 +21,7 @@ int exit_code_of(session::Outcome outcome);
 
 /// Errors, warnings and problems to standard error, as people read them.
 void report(const session::Session& session, const session::Run& run, const Console& console);
+/// The same, but for names that are not used: of those `check` tells.
+void report_mistakes(const session::Session& session, session::Run run, const Console& console);
 
 }  // namespace lancer::app

@@ -56,7 +56,7 @@ std::optional<Scaled> scale_rows(const Affine& a) {
     if (max_abs(row) == 0) return std::nullopt;
     const int e = std::ilogb(max_abs(row));
     out.exponents[i] = e;
-    out.rows[i] = {std::scalbn(row.x, -e), std::scalbn(row.y, -e), std::scalbn(row.z, -e)};
+    out.rows[i] = times_power_of_two(row, -e);
   }
   return out;
 }
@@ -116,6 +116,12 @@ Place Affine::place(const Place& p) const {
   }
   // Near the end of the range of numbers what twice the precision needs overflows first.
   return is_finite(to.at) && is_finite(to.rest) ? to : Place{point(p.at), {}};
+}
+
+std::array<Vec3, 3> near_one(const std::array<Vec3, 3>& rows, int& exponent) {
+  exponent = std::ilogb(std::fmax(max_abs(rows[0]), std::fmax(max_abs(rows[1]), max_abs(rows[2]))));
+  return {times_power_of_two(rows[0], -exponent), times_power_of_two(rows[1], -exponent),
+          times_power_of_two(rows[2], -exponent)};
 }
 
 bool is_identity(const Affine& a) { return a == Affine{}; }

@@ -30,6 +30,10 @@ struct Affine {
   Vec3 transposed(Vec3 v) const { return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z; }
 };
 
+/// The rows divided by the power of two that brings their largest entry into [1, 2); `exponent` is that
+/// power. Not all of them are 0.
+std::array<Vec3, 3> near_one(const std::array<Vec3, 3>& rows, int& exponent);
+
 bool is_identity(const Affine& a);
 bool is_finite(const Affine& a);
 double determinant(const Affine& a);

@@ -6,7 +6,7 @@ namespace {
 /// `a` divided by the power of two that brings its largest component into [1, 2); `exponent` is that power.
 Vec3 scaled(Vec3 a, int& exponent) {
   exponent = std::ilogb(max_abs(a));
-  return {std::scalbn(a.x, -exponent), std::scalbn(a.y, -exponent), std::scalbn(a.z, -exponent)};
+  return times_power_of_two(a, -exponent);
 }
 
 /// Neither zero nor beyond what numbers hold.

@@ -59,7 +59,7 @@ Color blackbody(double kelvin) {
     xyz = xyz + k_observer[i] * relative_radiance(wavelength, t);
   }
   const Color c = to_rec709(xyz);
-  const double largest = std::max({c.r, c.g, c.b});
+  const double largest = max_component(c);
   return {std::max(c.r, 0.0) / largest, std::max(c.g, 0.0) / largest, std::max(c.b, 0.0) / largest};
 }
 

@@ -115,11 +115,7 @@ std::vector<Vec3> scaled_points(const std::vector<Vec3>& points) {
   const double extent = max_abs(hi - lo);
   const int exponent = extent == 0 ? 0 : -std::ilogb(extent);
   std::vector<Vec3> out;
-  for (const Vec3 p : points) {
-    const Vec3 offset = p * 0.5 - lo;
-    out.push_back(
-        {std::scalbn(offset.x, exponent), std::scalbn(offset.y, exponent), std::scalbn(offset.z, exponent)});
-  }
+  for (const Vec3 p : points) out.push_back(times_power_of_two(p * 0.5 - lo, exponent));
   return out;
 }
 

@@ -241,22 +241,22 @@ void SceneBuilder::add_record(const Object& object, scene::Shape& shape) {
 
 /// The cube root of |det M|: by how much the map scales lengths on the whole.
 double mean_scale(const Affine& map) {
-  double most = 0;
-  for (const Vec3 row : map.rows) most = std::max(most, max_abs(row));
-  const int exponent = std::ilogb(most);
-  Affine fraction = map;
-  for (Vec3& row : fraction.rows) {
-    row = {std::scalbn(row.x, -exponent), std::scalbn(row.y, -exponent), std::scalbn(row.z, -exponent)};
-  }
+  int exponent = 0;
+  const Affine fraction{near_one(map.rows, exponent), {}};
   return std::scalbn(math::cbrt(std::fabs(determinant(fraction))), exponent);
+}
+
+/// Moves a point and what is below its last bits.
+void move(const Affine& map, Vec3& at, Vec3& rest) {
+  const Place moved = map.place({at, rest});
+  at = moved.at;
+  rest = moved.rest;
 }
 
 void SceneBuilder::place_light(const Object& object, const Affine& map) {
   scene::Light light = std::get<scene::Light>(object.record);
   if (transform(object, map) != 0) {
-    const Place at = map.place({light.at, light.at_rest});
-    light.at = at.at;
-    light.at_rest = at.rest;
+    move(map, light.at, light.at_rest);
     light.direction = map.vector(scaled_to_one(light.direction));
     check_finite(object, is_finite(light.at) && is_finite(light.direction));
     if (light.falloff > 0) {
@@ -272,16 +272,10 @@ void SceneBuilder::place_light(const Object& object, const Affine& map) {
 void SceneBuilder::place_view(const Object& object, const Affine& map) {
   scene::View view = std::get<scene::View>(object.record);
   if (transform(object, map) != 0) {
-    const Place eye = map.place({view.eye, view.eye_rest});
-    view.eye = eye.at;
-    view.eye_rest = eye.rest;
+    move(map, view.eye, view.eye_rest);
     view.look = map.vector(view.look);
     view.up = map.vector(view.up);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Place corner = map.place({view.corners[i], view.corner_rests[i]});
-      view.corners[i] = corner.at;
-      view.corner_rests[i] = corner.rest;
-    }
+    for (std::size_t i = 0; i < 3; ++i) move(map, view.corners[i], view.corner_rests[i]);
     const auto& [a, b, c] = view.corners;
     check_finite(object, is_finite(view.eye) && is_finite(view.look) && is_finite(view.up) && is_finite(a) &&
                              is_finite(b) && is_finite(c));

@@ -10,10 +10,6 @@ namespace {
 
 constexpr double k_half_ulp = 0x1p-53;
 
-Vec3 times_power_of_two(Vec3 v, int exponent) {
-  return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
-}
-
 Vec3 magnitude(Vec3 v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 
 /// Brings the value's largest component into [1, 2).

@@ -101,9 +101,7 @@ std::vector<Vec3> as_fractions(const std::vector<Vec3>& points) {
   for (const Vec3 p : points) most = std::max(most, max_abs(p));
   const int exponent = most == 0 ? 0 : -std::ilogb(most) - 1;
   std::vector<Vec3> out;
-  for (const Vec3 p : points) {
-    out.push_back({std::scalbn(p.x, exponent), std::scalbn(p.y, exponent), std::scalbn(p.z, exponent)});
-  }
+  for (const Vec3 p : points) out.push_back(times_power_of_two(p, exponent));
   return out;
 }
 

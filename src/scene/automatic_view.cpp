@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/math.hpp"
+#include "scene/corners.hpp"
 #include "scene/scene.hpp"
 
 namespace lancer::scene {
@@ -43,40 +44,17 @@ double stretch(const Affine& map) {
   return std::min(by_rows, gram_bound(map.vector({1, 0, 0}), map.vector({0, 1, 0}), map.vector({0, 0, 1})));
 }
 
-Ball ball_around(const Extent& extent) { return {extent.center(), length(extent.hi - extent.lo) / 2}; }
-
-Ball ball_around_box(const Scene& scene, const Box& box, const Affine& map) {
-  const Affine whole = then(scene.transforms[box.frame].to_world, map);
-  Extent corners;
-  for (int i = 0; i < 8; ++i) {
-    corners.add(
-        whole.point({i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z}));
-  }
-  return ball_around(corners);
-}
-
 /// Planes have none.
 std::optional<Ball> ball_around(const Scene& scene, const Shape& shape) {
-  const Affine& map = scene.transforms[shape.transform].to_world;
-  Extent points;
-  switch (shape.kind) {
-    case ShapeKind::sphere: {
-      const Sphere& sphere = scene.spheres[shape.record];
-      return Ball{map.point(sphere.center), sphere.radius * stretch(map)};
-    }
-    case ShapeKind::plane: return std::nullopt;
-    case ShapeKind::box: return ball_around_box(scene, scene.boxes[shape.record], map);
-    case ShapeKind::facet: {
-      const Facet& facet = scene.facets[shape.record];
-      for (const Vec3 p : {facet.a, facet.b, facet.c}) points.add(map.point(p));
-      break;
-    }
-    case ShapeKind::mesh:
-      for (const Vec3 p : scene.meshes[shape.record].points) points.add(map.point(p));
-      break;
+  if (shape.kind == ShapeKind::sphere) {
+    const Affine& map = scene.transforms[shape.transform].to_world;
+    const Sphere& sphere = scene.spheres[shape.record];
+    return Ball{map.point(sphere.center), sphere.radius * stretch(map)};
   }
-  if (points.empty()) return std::nullopt;
-  return ball_around(points);
+  Extent corners;
+  each_corner(scene, shape, [&](Vec3 p) { corners.add(p); });
+  if (corners.empty()) return std::nullopt;
+  return Ball{corners.center(), length(corners.hi - corners.lo) / 2};
 }
 
 /// The ball that the view frames: around all shapes with bounds; else around the planes' points; else the

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tracer/light.hpp"
 #include "tracer/pattern.hpp"
 
 namespace lancer::tracer {
@@ -97,7 +98,7 @@ struct Most {
 Color steady_light(const scene::Scene& scene) {
   Color sum;
   for (const scene::Light& light : scene.lights) {
-    if (light.kind == scene::LightKind::sun || light.falloff == 0) sum += light.color;
+    if (!fades(light)) sum += light.color;
   }
   return sum;
 }
@@ -109,8 +110,7 @@ class Gatherer {
       : scene_(scene), steady_(steady_light(scene)), most_(scene.materials.size()) {
     for (scene::Index i = 0; i < scene.lights.size(); ++i) {
       const scene::Light& light = scene.lights[i];
-      if (light.kind != scene::LightKind::sun && light.falloff > 0 && !is_black(light.color))
-        fading_.push_back(i);
+      if (fades(light) && !is_black(light.color)) fading_.push_back(i);
     }
   }
 

@@ -4,19 +4,13 @@
 #include <cmath>
 
 #include "base/math.hpp"
+#include "scene/corners.hpp"
 
 namespace lancer::tracer {
 namespace {
 
 constexpr double k_margin = 1e-9;  // far above any rounding here
 constexpr double k_surely = 1e-6;  // degrees
-
-void add_box(Aabb& bounds, const scene::Box& box, const Affine& frame, const Affine& map) {
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 corner{i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z};
-    bounds.add(map.point(frame.point(corner)));
-  }
-}
 
 void add_sphere(Aabb& bounds, const scene::Sphere& sphere, const Affine& map) {
   const Vec3 center = map.point(sphere.center);
@@ -43,24 +37,10 @@ Extent::Extent(const scene::Scene& scene) {
 
 void Extent::add(const scene::Scene& scene, const scene::Shape& shape) {
   const Transform& transform = scene.transforms[shape.transform];
-  const Affine& map = transform.to_world;
-  switch (shape.kind) {
-    case scene::ShapeKind::sphere: add_sphere(bounded_, scene.spheres[shape.record], map); break;
-    case scene::ShapeKind::plane: add_plane(scene.planes[shape.record], transform); break;
-    case scene::ShapeKind::box: {
-      const scene::Box& box = scene.boxes[shape.record];
-      add_box(bounded_, box, scene.transforms[box.frame].to_world, map);
-      break;
-    }
-    case scene::ShapeKind::facet: {
-      const scene::Facet& facet = scene.facets[shape.record];
-      for (const Vec3 corner : {facet.a, facet.b, facet.c}) bounded_.add(map.point(corner));
-      break;
-    }
-    case scene::ShapeKind::mesh:
-      for (const Vec3 p : scene.meshes[shape.record].points) bounded_.add(map.point(p));
-      break;
-  }
+  if (shape.kind == scene::ShapeKind::sphere)
+    add_sphere(bounded_, scene.spheres[shape.record], transform.to_world);
+  if (shape.kind == scene::ShapeKind::plane) add_plane(scene.planes[shape.record], transform);
+  scene::each_corner(scene, shape, [&](Vec3 p) { bounded_.add(p); });
 }
 
 void Extent::add_plane(const scene::Plane& plane, const Transform& transform) {

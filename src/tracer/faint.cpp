@@ -34,7 +34,7 @@ void PendingRays::push(Pending ray, Color most) {
     free_.pop_back();
     rays_[place] = std::move(ray);
   }
-  queue_.push_back({std::max({most.r, most.g, most.b}), place, most});
+  queue_.push_back({max_component(most), place, most});
   std::push_heap(queue_.begin(), queue_.end(), is_fainter);
   total_ += most;
 }

@@ -41,7 +41,7 @@ Color intensity(const scene::Light& light, const Bearing& from) {
   if (light.kind == scene::LightKind::sun) return light.color;
   if (from.distance == 0) return {};
   Color out = light.color;
-  if (light.falloff > 0) {
+  if (fades(light)) {
     const double ratio = light.falloff / from.distance;
     out = out * (ratio * ratio);
   }
@@ -49,11 +49,6 @@ Color intensity(const scene::Light& light, const Bearing& from) {
   // Beyond what numbers hold, so that a surface that sends nothing back does so here too.
   constexpr double k_most = std::numeric_limits<double>::max();
   return {std::fmin(out.r, k_most), std::fmin(out.g, k_most), std::fmin(out.b, k_most)};
-}
-
-Incoming incoming(const scene::Light& light, Vec3 p) {
-  const Bearing from = bearing(light, p);
-  return {from.towards, from.distance, intensity(light, from)};
 }
 
 }  // namespace lancer::tracer

@@ -5,12 +5,6 @@
 
 namespace lancer::tracer {
 
-struct Incoming {
-  Vec3 towards;         // the light, unit length
-  double distance = 0;  // infinite for a sun
-  Color intensity;      // colour times falloff and cone
-};
-
 /// The way from a point to a light.
 struct Bearing {
   Vec3 towards;         // the light, unit length; zero for a light at the point itself
@@ -19,9 +13,12 @@ struct Bearing {
 
 Bearing bearing(const scene::Light& light, Vec3 p);
 /// Colour times falloff and cone, for a point with that bearing of the light.
+/// Black for a light at the point itself, and outside a spot's cone.
 Color intensity(const scene::Light& light, const Bearing& from);
 
-/// Both. Black for a light at p itself, and outside a spot's cone.
-Incoming incoming(const scene::Light& light, Vec3 p);
+/// Does it grow weaker with the distance?
+inline bool fades(const scene::Light& light) {
+  return light.kind != scene::LightKind::sun && light.falloff > 0;
+}
 
 }  // namespace lancer::tracer

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "tracer/extent.hpp"
+#include "tracer/light.hpp"
 #include "tracer/plan.hpp"
 
 namespace lancer::tracer {
@@ -18,7 +19,7 @@ double most_light(const scene::Light& lamp, Vec3 lo, Vec3 hi) {
   for (int axis = 0; axis < 3; ++axis)
     outside[axis] = std::max({lo[axis] - lamp.at[axis], 0.0, lamp.at[axis] - hi[axis]});
   const double ratio = lamp.falloff / length(outside);
-  return std::max({lamp.color.r, lamp.color.g, lamp.color.b}) * ratio * ratio;
+  return max_component(lamp.color) * ratio * ratio;
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ LightCells::Cell LightCells::made(const Key& key) const {
     if (cells.spots && light.kind == scene::LightKind::spot &&
         !may_light_ball(light, lo * 0.5 + hi * 0.5, radius)) {
       ++out.outside_cone;
-    } else if (cells.faint > 0 && light.kind != scene::LightKind::sun && light.falloff > 0) {
+    } else if (cells.faint > 0 && fades(light)) {
       fading.push_back({most_light(light, lo, hi), index});
     } else {
       out.lights.push_back(index);

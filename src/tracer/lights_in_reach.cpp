@@ -8,8 +8,6 @@
 namespace lancer::tracer {
 namespace {
 
-double component(Color c) { return std::max({c.r, c.g, c.b}); }
-
 /// The largest sum of two coefficients of one material that some shape wears.
 template <class First, class Second>
 double largest_sum(const scene::Scene& scene, const Inventory& has, First first, Second second) {
@@ -17,7 +15,8 @@ double largest_sum(const scene::Scene& scene, const Inventory& has, First first,
   for (std::size_t m = 0; m < has.wearers.size(); ++m) {
     const scene::Material& material = scene.materials[m];
     if (has.wearers[m].any != scene::k_none)
-      most = std::max(most, component(largest(scene, material.*first) + largest(scene, material.*second)));
+      most =
+          std::max(most, max_component(largest(scene, material.*first) + largest(scene, material.*second)));
   }
   return most;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/corners.hpp"
 #include "tracer/aabb.hpp"
 
 namespace lancer::tracer {
@@ -27,14 +28,8 @@ class Spread {
       case scene::ShapeKind::sphere: places_.add(map.point(scene_.spheres[shape.record].center)); break;
       case scene::ShapeKind::plane: add(scene_.planes[shape.record], transform); break;
       case scene::ShapeKind::box: add(scene_.boxes[shape.record], map); break;
-      case scene::ShapeKind::facet: {
-        const scene::Facet& facet = scene_.facets[shape.record];
-        for (const Vec3 corner : {facet.a, facet.b, facet.c}) places_.add(map.point(corner));
-        break;
-      }
-      case scene::ShapeKind::mesh:
-        for (const Vec3 corner : scene_.meshes[shape.record].points) places_.add(map.point(corner));
-        break;
+      case scene::ShapeKind::facet:
+      case scene::ShapeKind::mesh: scene::each_corner(scene_, shape, [&](Vec3 p) { places_.add(p); }); break;
     }
   }
 

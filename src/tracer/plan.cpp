@@ -5,8 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "scene/corners.hpp"
 #include "tracer/extent.hpp"
 #include "tracer/inventory.hpp"
+#include "tracer/light.hpp"
 #include "tracer/lights_in_reach.hpp"
 #include "tracer/pattern.hpp"
 #include "tracer/world.hpp"
@@ -221,10 +223,8 @@ Things Planner::other_indices() const {
 /// False only where the eye is surely outside.
 bool Planner::eye_may_be_in(Index mesh) const {
   if (view_.projection == scene::Projection::orthographic) return true;
-  const scene::Shape& shape = scene_.shapes[mesh];
-  const Affine& map = scene_.transforms[shape.transform].to_world;
   Aabb box;
-  for (const Vec3 p : scene_.meshes[shape.record].points) box.add(map.point(p));
+  scene::each_corner(scene_, scene_.shapes[mesh], [&](Vec3 p) { box.add(p); });
   return box.padded(1e-9 * max_abs(box.hi - box.lo)).contains(view_.eye);
 }
 
@@ -302,7 +302,7 @@ void Planner::plan_light_cells() {
   std::size_t spots = 0, fading = 0;
   for (const scene::Light& light : scene_.lights) {
     spots += light.kind == scene::LightKind::spot ? 1 : 0;
-    fading += light.kind != scene::LightKind::sun && light.falloff > 0 ? 1 : 0;
+    fading += fades(light) ? 1 : 0;
   }
   LightCellPlan& cells = out_.light_cells;
   cells.spots = spots > 0 && may(Skip::dark_lights);

@@ -25,13 +25,8 @@ Vec3 placed(const World& world, const Affine& map, Vec3 own) { return placed(wor
 
 /// Does the map keep angles, within rounding? `factor` is by how much it scales.
 bool is_similarity(const Affine& map, double& factor) {
-  double most = 0;
-  for (const Vec3 row : map.rows) most = std::fmax(most, max_abs(row));
-  const int exponent = std::ilogb(most);
-  Rows m = map.rows;
-  for (Vec3& row : m) {
-    row = {std::scalbn(row.x, -exponent), std::scalbn(row.y, -exponent), std::scalbn(row.z, -exponent)};
-  }
+  int exponent = 0;
+  const Rows m = near_one(map.rows, exponent);
   const double xx = dot(m[0], m[0]), yy = dot(m[1], m[1]), zz = dot(m[2], m[2]);
   const double tolerance = 64 * k_u * xx;
   factor = std::scalbn(std::sqrt(xx), exponent);
@@ -59,7 +54,7 @@ void add_sphere(World& world, std::uint32_t shape, const scene::Sphere& sphere, 
   const double reach = max_abs(apply_abs(map.rows, {sphere.radius, sphere.radius, sphere.radius}));
   const double slack = image_error(map, sphere.center) + (is_identity(map) ? 2 : 8) * k_u * reach;
   double factor = 1;
-  if (is_similarity(map, factor)) {
+  if (is_identity(map) || is_similarity(map, factor)) {
     append(world, world.spheres, SpherePrimitive{center, sphere.radius * factor, slack}, Kind::sphere, shape);
     return;
   }
@@ -88,7 +83,7 @@ void add_plane(World& world, std::uint32_t shape, const scene::Plane& plane, con
   double level = plane.offset * length(n);
   if (turned) n = transform.normal_to_world(n);
   const int exponent = std::ilogb(max_abs(n));
-  n = {std::scalbn(n.x, -exponent), std::scalbn(n.y, -exponent), std::scalbn(n.z, -exponent)};
+  n = times_power_of_two(n, -exponent);
   level = std::scalbn(level, -exponent);
   const Place at = placed(world, map, Place{plane.point, {}});
   const double slack = image_error(map, plane.point) + 4 * k_u * std::fabs(level) / length(n);

@@ -61,9 +61,4 @@ Surface surface_at(const World& world, const MaterialNeeds& needs, const Ray& ra
           m.fresnel};
 }
 
-Surface surface_at(const World& world, const Ray& ray, const Hit& hit) {
-  Stats ignored;
-  return surface_at(world, {}, ray, hit, true, ignored);
-}
-
 }  // namespace lancer::tracer

@@ -18,7 +18,4 @@ struct Surface {
 Surface surface_at(const World& world, const MaterialNeeds& needs, const Ray& ray, const Hit& hit,
                    bool follow, Stats& stats);
 
-/// All colours.
-Surface surface_at(const World& world, const Ray& ray, const Hit& hit);
-
 }  // namespace lancer::tracer

@@ -193,4 +193,13 @@ TEST_CASE("transform: a place is known to twice the precision", "[transform]") {
   CHECK(huge.rest == Vec3{});
 }
 
+TEST_CASE("transform: rows are brought near 1 by one power of two", "[transform]") {
+  int exponent = 0;
+  const auto rows = near_one({Vec3{-6e200, 0, 0}, Vec3{0, 1e200, 0}, Vec3{0, 0, 3}}, exponent);
+  CHECK(std::fabs(rows[0].x) >= 1);
+  CHECK(std::fabs(rows[0].x) < 2);
+  CHECK(std::scalbn(rows[0].x, exponent) == -6e200);
+  CHECK(std::scalbn(rows[1].y, exponent) == 1e200);
+}
+
 }  // namespace lancer

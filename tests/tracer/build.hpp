@@ -3,6 +3,7 @@
 
 #include "scene/scene.hpp"
 #include "tracer/intersect.hpp"
+#include "tracer/light.hpp"
 #include "tracer/plan.hpp"
 #include "tracer/radiance.hpp"
 #include "tracer/render.hpp"
@@ -101,6 +102,41 @@ inline scene::Light sun(Vec3 direction, double level = 1) {
   light.direction = direction;
   light.color = grey(level);
   return light;
+}
+
+/// How a light looks from a point.
+struct Incoming {
+  Vec3 towards;
+  double distance = 0;
+  Color intensity;
+};
+inline Incoming incoming(const scene::Light& light, Vec3 p) {
+  const Bearing from = bearing(light, p);
+  return {from.towards, from.distance, intensity(light, from)};
+}
+
+/// A bit of everything around the origin, then moved: glass, a mirror, a turned box, a squeezed sphere,
+/// facets, and a floor with the first pattern.
+inline Scene still_life(const Affine& move = {}) {
+  Scene s;
+  s.settings.background = {0.1, 0.2, 0.3};
+  Material glass = clear(0.9, 1.5);
+  glass.fresnel = true;
+  Material floor = matt(0.8);
+  floor.diffuse.pattern = 0;
+  s.patterns.emplace_back();
+  s.patterns[0].a = grey(1);
+  s.patterns[0].b = grey(0.2);
+  add_plane(s, {0, -1, 0}, {0, 1, 0}, floor, move);
+  add_sphere(s, {0, 0, 0}, 1, glass, move);
+  add_box(s, {1, -1, -2}, {2, 0, -1}, mirror(0.8), then(rotation({0, 20, 0}), move));
+  add_sphere(s, {}, 0.5, matt(0.6), then(then(scaling({1, 2, 1}), translation({-1.5, 0, -1})), move));
+  add_mesh(s, cube_mesh(true), clear(0.7, 1.3),
+           then(then(scaling({0.3, 0.3, 0.3}), translation({0.5, -0.7, 1.3})), move));
+  const Place lamp = move.place({{4, 6, 5}, {}});
+  s.lights.push_back(point_light(lamp.at));
+  s.lights[0].at_rest = lamp.rest;
+  return s;
 }
 
 /// A view of n x n pixels.

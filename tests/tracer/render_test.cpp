@@ -12,24 +12,8 @@ using namespace lancer::tracer::test;
 
 namespace {
 
-/// A bit of everything.
-Scene still_life() {
-  Scene s;
-  s.settings.background = {0.1, 0.2, 0.3};
-  Material glass = clear(0.9, 1.5);
-  glass.fresnel = true;
-  Material floor = matt(0.8);
-  floor.diffuse.pattern = 0;
-  s.patterns.emplace_back();
-  s.patterns[0].a = grey(1);
-  s.patterns[0].b = grey(0.2);
-  add_plane(s, {0, -1, 0}, {0, 1, 0}, floor);
-  add_sphere(s, {0, 0, 0}, 1, glass);
-  add_box(s, {1, -1, -2}, {2, 0, -1}, mirror(0.8), rotation({0, 20, 0}));
-  add_sphere(s, {}, 0.5, matt(0.6), then(scaling({1, 2, 1}), translation({-1.5, 0, -1})));
-  add_mesh(s, cube_mesh(true), clear(0.7, 1.3),
-           then(scaling({0.3, 0.3, 0.3}), translation({0.5, -0.7, 1.3})));
-  s.lights.push_back(point_light({4, 6, 5}));
+Scene lit_by_the_sun() {
+  Scene s = still_life();
   s.lights.push_back(sun({1, -2, -1}, 0.3));
   return s;
 }
@@ -45,7 +29,7 @@ scene::View front(int columns, int rows) {
 
 TEST_CASE("render: the image is the same bytes for 1, 2 and 7 threads", "[render]") {
   const tbb::global_control seven(tbb::global_control::max_allowed_parallelism, 7);
-  const Scene s = still_life();
+  const Scene s = lit_by_the_sun();
   const Rendered one = picture(s, front(75, 50), 5, 1);
   for (const int threads : {2, 7}) {
     const Rendered many = picture(s, front(75, 50), 5, threads);
@@ -62,7 +46,7 @@ TEST_CASE("render: the image is the same bytes for 1, 2 and 7 threads", "[render
 }
 
 TEST_CASE("render: a region is a cut-out of the whole", "[render]") {
-  const Scene s = still_life();
+  const Scene s = lit_by_the_sun();
   const Rendered whole = picture(s, front(60, 40), 4);
   Options options;
   options.samples = 4;
@@ -84,13 +68,13 @@ TEST_CASE("render: the size asked for takes the place of the view's", "[render]"
   options.samples = 1;
   options.columns = 9;
   options.rows = 4;
-  const Rendered out = render(still_life(), front(640, 480), options);
+  const Rendered out = render(lit_by_the_sun(), front(640, 480), options);
   CHECK(out.image.width() == 9);
   CHECK(out.image.height() == 4);
 }
 
 TEST_CASE("render: every row is announced once, complete", "[render]") {
-  const Scene s = still_life();
+  const Scene s = lit_by_the_sun();
   std::vector<int> seen_rows(45);
   std::vector<float> copy(30 * 45 * 3);
   Watch watch;
@@ -113,7 +97,7 @@ TEST_CASE("render: cancelled before it starts it draws nothing", "[render]") {
   watch.cancel = &cancel;
   int rows = 0;
   watch.rows = [&](int, int, const float*) { ++rows; };
-  const Rendered out = render(still_life(), front(64, 64), {}, watch);
+  const Rendered out = render(lit_by_the_sun(), front(64, 64), {}, watch);
   CHECK(out.cancelled);
   CHECK(rows == 0);
   CHECK(out.image.width() == 64);
@@ -126,7 +110,7 @@ TEST_CASE("render: cancelled on the way it keeps the rows that were finished", "
   watch.rows = [&](int, int, const float*) { cancel = true; };
   Options options;
   options.threads = 1;
-  const Rendered out = render(still_life(), front(16, 320), options, watch);
+  const Rendered out = render(lit_by_the_sun(), front(16, 320), options, watch);
   CHECK(out.cancelled);
   CHECK(out.stats.primary_rays < 16U * 320U * 16U);
   CHECK(out.image.pixel(3, 3)[2] > 0);

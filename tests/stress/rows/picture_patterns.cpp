@@ -33,8 +33,8 @@ void check_color(Judgement& judgement, const char* set, const tracer::World& wor
   ray.direction = normalize(target - from);
   tracer::Stats stats;
   tracer::Hit hit;
-  const bool right =
-      closest(world, ray, stats, hit) && surface_at(world, ray, hit).ambient == grey(odd ? 0.3 : 0.9);
+  const bool right = closest(world, ray, stats, hit) &&
+                     surface_at(world, {}, ray, hit, true, stats).ambient == grey(odd ? 0.3 : 0.9);
   judgement.check(right, set, [&] { return told(ray.origin, ray.direction); });
 }
 
