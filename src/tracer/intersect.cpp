@@ -18,7 +18,8 @@ struct Met {
 using MetList = SmallList<Met, 8>;
 
 /// A closed mesh whose edge or corner the ray touches without a crossing is met there all the same, by a
-/// facet that takes the ray in and one that takes it out again. The other facets stay passed.
+/// facet that takes the ray in and one that takes it out again; where only one of the two is, as at the start
+/// of an edge that the ray runs along, it runs beside the mesh. The other facets stay passed.
 void add_touched(const World& world, const Ray& ray, const Probe& probe, MetList& passed,
                  Candidates& candidates) {
   const auto is_at_rim = [&](std::uint32_t primitive, const Root& root) {
@@ -39,10 +40,13 @@ void add_touched(const World& world, const Ray& ray, const Probe& probe, MetList
   std::sort(touched.begin(), touched.end(),
             [](const Met& a, const Met& b) { return a.primitive < b.primitive; });
   for (const Met& m : touched) {
-    const auto is_like = [&](const Met& o) {
-      return is_same(o.primitive, m.primitive) && meet(o.root, m.root) && o.root.entering == m.root.entering;
+    const auto first_there = [&](bool entering) {
+      return std::find_if(touched.begin(), touched.end(), [&](const Met& o) {
+        return is_same(o.primitive, m.primitive) && meet(o.root, m.root) && o.root.entering == entering;
+      });
     };
-    if (std::find_if(touched.begin(), touched.end(), is_like)->primitive != m.primitive) continue;
+    const bool goes_out_again = first_there(!m.root.entering) != touched.end();
+    if (!goes_out_again || first_there(m.root.entering)->primitive != m.primitive) continue;
     const Interval own = own_interval(world, m.primitive, probe);
     Root root = m.root;
     root.rim = false;
@@ -129,11 +133,10 @@ bool starts_inside(const Ray& ray, std::uint32_t shape) {
 
 /// Where facets of a closed mesh meet, those of them that the ray crosses take it in, > 0, out, < 0, or into
 /// or out of nothing, 0, as where it touches an edge.
-template <class List>
-int way_in(const World& world, const List& met, std::uint32_t shape) {
+int way_in(const World& world, const Candidates& met, std::uint32_t shape) {
   int way = 0;
-  for (const auto& m : met) {
-    if (m.root.rim && world.primitives[m.primitive].shape == shape) way += m.root.entering ? 1 : -1;
+  for (const Candidate& m : met) {
+    if (world.primitives[m.primitive].shape == shape) way += m.root.entering ? 1 : -1;
   }
   return way;
 }
@@ -144,7 +147,7 @@ const Candidate& first_met(const World& world, const Ray& ray, const Candidates&
   const auto shape_of = [&](const Candidate& c) { return world.primitives[c.primitive].shape; };
   std::uint32_t shape = shape_of(*candidates.begin());
   for (const Candidate& c : candidates) shape = std::min(shape, shape_of(c));
-  const int way = way_in(world, candidates, shape);
+  const int way = encloses(*world.scene, shape) ? way_in(world, candidates, shape) : 0;
   const bool inside = way != 0 ? way < 0 : starts_inside(ray, shape);
   const Candidate* best = nullptr;
   for (const Candidate& c : candidates) {
@@ -188,8 +191,8 @@ void collect_contacts(const World& world, const Ray& ray, const Candidates& cand
     const Primitive& primitive = world.primitives[m.primitive];
     const bool mixed = primitive.kind == Kind::facet && is_mixed(world, met, primitive.shape);
     const bool in_shape = mixed ? starts_inside(ray, primitive.shape) : !m.root.entering;
-    const bool joined = m.root.rim && encloses(*world.scene, primitive.shape) &&
-                        (m.passed || way_in(world, candidates, primitive.shape) != 0);
+    const bool joined = primitive.kind == Kind::facet && encloses(*world.scene, primitive.shape) &&
+                        ((m.passed && m.root.rim) || way_in(world, candidates, primitive.shape) != 0);
     hit.contacts.push_back(
         {m.primitive, primitive.shape, m.root.face, !m.root.entering, in_shape, false, m.normal, joined});
   }
@@ -242,26 +245,6 @@ const Contact* met_at_start(const World& world, const Ray& ray) {
 }
 
 }  // namespace
-
-void join(std::vector<Crossing>& rims) {
-  std::sort(rims.begin(), rims.end(), [](const Crossing& a, const Crossing& b) {
-    return std::make_tuple(a.shape, a.root.t, a.primitive) < std::make_tuple(b.shape, b.root.t, b.primitive);
-  });
-  std::vector<Crossing> kept;
-  for (auto first = rims.begin(); first != rims.end();) {
-    int way = 0;
-    auto last = first;
-    for (; last != rims.end() && last->shape == first->shape &&
-           last->root.t - last->root.error <= first->root.t + first->root.error;
-         ++last) {
-      way += last->root.entering ? 1 : -1;
-    }
-    for (; first != last; ++first) {
-      if (way == 0 || first->root.entering == (way > 0)) kept.push_back(*first);
-    }
-  }
-  rims = kept;
-}
 
 AtStart at_start(const Contact& contact, Kind kind, Vec3 direction) {
   const double outward = dot(contact.normal, direction);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
 
 #include "tracer/options.hpp"
 #include "tracer/world.hpp"
@@ -83,10 +82,6 @@ inline Root within(Root root, const Interval& own) {
   return root;
 }
 
-/// Of crossings at the rims of closed meshes' facets, those in the way that is left over where a ray goes in,
-/// out and in again at one point.
-void join(std::vector<Crossing>& rims);
-
 template <class Visit>
 bool crossings(const World& world, const Ray& ray, double distance, Stats& stats, Visit visit) {
   const auto before_end = [&](std::uint32_t primitive, const Root& root) {
@@ -109,7 +104,6 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
     }
   }
   const Probe probe(ray);
-  std::vector<Crossing> rims;
   const auto test = [&](std::uint32_t primitive) {
     if (find_contact(ray.contacts, primitive)) return false;
     ++stats.shape_tests;
@@ -120,12 +114,7 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
       if (!(own.enter <= own.leave) || !(own.enter <= distance)) return false;
       const Root root = within(found.root[i], own);
       if (!before_end(primitive, root) || is_echo(world, ray, primitive, root)) continue;
-      const Crossing crossing{primitive, world.primitives[primitive].shape, root};
-      if (root.rim && encloses(*world.scene, crossing.shape)) {
-        rims.push_back(crossing);
-      } else if (visit(crossing)) {
-        return true;
-      }
+      if (visit(Crossing{primitive, world.primitives[primitive].shape, root})) return true;
     }
     return false;
   };
@@ -133,9 +122,7 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
     if (test(primitive)) return true;
   }
   const auto test_item = [&](std::uint32_t item) { return test(world.bounded[item]); };
-  if (world.tree.traverse(probe, distance, stats.node_visits, test_item, Order::any)) return true;
-  if (rims.size() > 1) join(rims);
-  return std::any_of(rims.begin(), rims.end(), visit);
+  return world.tree.traverse(probe, distance, stats.node_visits, test_item, Order::any);
 }
 
 }  // namespace lancer::tracer

@@ -1,7 +1,8 @@
 #include "tracer/shadow.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <span>
+#include <tuple>
 
 #include "tracer/pattern.hpp"
 
@@ -12,17 +13,39 @@ using CrossingList = SmallList<Crossing, 8>;
 
 /// By object, then along the ray: an order that does not depend on the search.
 bool comes_first(const Crossing& a, const Crossing& b) {
-  if (a.shape != b.shape) return a.shape < b.shape;
-  if (a.root.entering != b.root.entering) return a.root.entering;
-  if (a.root.t != b.root.t) return a.root.t < b.root.t;
-  return a.primitive < b.primitive;
+  return std::make_tuple(a.shape, a.root.t, a.primitive) < std::make_tuple(b.shape, b.root.t, b.primitive);
 }
 
-/// Where facets of one mesh meet, the ray crosses it once. In the order of comes_first.
-bool repeats(const Crossing& before, const Crossing& now) {
-  return before.shape == now.shape && before.primitive != now.primitive &&
-         before.root.entering == now.root.entering &&
-         now.root.t - now.root.error <= before.root.t + before.root.error;
+/// Where facets of one object meet, the ray crosses it once: of a closed mesh in the way that is left over
+/// where it goes in, out and in again, and in and out where none is. Of crossings at one place, which are all
+/// of one object, those that count.
+void add_joined(const World& world, std::span<const Crossing> met, CrossingList& out) {
+  int way = 0;
+  for (const Crossing& c : met) way += c.root.entering ? 1 : -1;
+  const bool both_ways = way == 0 || !encloses(*world.scene, met.front().shape);
+  for (const bool entering : {true, false}) {
+    if (!both_ways && entering != (way > 0)) continue;
+    const auto fits = [&](const Crossing& c) { return c.root.entering == entering; };
+    const auto one = std::find_if(met.begin(), met.end(), fits);
+    if (one != met.end()) out.push_back(*one);
+  }
+}
+
+/// In the order of comes_first.
+CrossingList joined(const World& world, const CrossingList& list) {
+  if (list.size() < 2) return list;
+  CrossingList out;
+  for (const Crossing* first = list.begin(); first != list.end();) {
+    double end = first->root.t + first->root.error;
+    const Crossing* last = first + 1;
+    for (; last != list.end() && last->shape == first->shape && last->root.t - last->root.error <= end;
+         ++last) {
+      end = std::max(end, last->root.t + last->root.error);
+    }
+    add_joined(world, {first, last}, out);
+    first = last;
+  }
+  return out;
 }
 
 Color transmission(const World& world, const Ray& ray, const Crossing& crossing) {
@@ -50,9 +73,7 @@ Color filtered(const World& world, const Ray& ray, double distance, Stats& stats
   if (blocked) return {};
   std::sort(list.begin(), list.end(), comes_first);
   Color through = grey(1);
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (i == 0 || !repeats(list[i - 1], list[i])) through = through * transmission(world, ray, list[i]);
-  }
+  for (const Crossing& crossing : joined(world, list)) through = through * transmission(world, ray, crossing);
   return through;
 }
 

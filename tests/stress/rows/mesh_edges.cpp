@@ -41,6 +41,13 @@ struct Arrival {
     }
     return true;
   }
+
+  bool runs_in_a_side() const {
+    for (int i = 0; i < 3; ++i) {
+      if (std::fabs(at[i]) == 1 && way[i] == 0) return true;
+    }
+    return false;
+  }
 };
 
 /// Exactly through an edge or corner, in numbers that are exact.
@@ -128,7 +135,8 @@ void visit(Judgement& judgement, const char* set, const FacetCube& cube, const A
   tracer::Stats stats;
   tracer::Hit hit;
   const bool found = closest(cube.world, ray, stats, hit);
-  if (!exact && !found) return;  // past the edge, for rounding
+  // Past the edge, for rounding or as a ray does that runs beside the plane of a side.
+  if (!found && (!exact || arrival.runs_in_a_side())) return;
   if (!judgement.check(found && hit.root.entering != arrival.inside, set, text)) return;
   if (exact && (arrival.inside || arrival.goes_in(arrival.way)))
     judgement.check(light(cube, ray) == (arrival.inside ? 0.5 : 0.25), set, text);

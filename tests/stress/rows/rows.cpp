@@ -29,6 +29,7 @@ Rows all_rows() {
   add_plane_exact_rows(rows);
   add_box_exits_rows(rows);
   add_mesh_edges_rows(rows);
+  add_mesh_lattice_rows(rows);
   add_media_sides_rows(rows);
   add_picture_patterns_rows(rows);
   add_picture_carried_rows(rows);

@@ -33,6 +33,7 @@ void add_media_hostile_rows(Rows& rows);
 void add_plane_exact_rows(Rows& rows);
 void add_box_exits_rows(Rows& rows);
 void add_mesh_edges_rows(Rows& rows);
+void add_mesh_lattice_rows(Rows& rows);
 void add_media_sides_rows(Rows& rows);
 void add_picture_patterns_rows(Rows& rows);
 void add_picture_carried_rows(Rows& rows);
