@@ -68,10 +68,10 @@ Candidates search(const World& world, const Ray& ray, Stats& stats, MetList& pas
   const auto test = [&](std::uint32_t primitive) {
     if (find_contact(ray.contacts, primitive)) return false;
     ++stats.shape_tests;
-    const Roots found = roots(world, primitive, probe);
+    const Roots found = roots_ahead(world, ray, primitive, probe);
     if (found.passes) passed.push_back({primitive, found.root[0], {}, true});
     for (int i = 0; i < found.count; ++i) {
-      if (!(found.root[i].t > 0)) continue;
+      if (!(found.root[i].t > 0) && !found.at_start) continue;
       const Root& root = found.root[i];
       if (!root.loose && root.t - root.error > candidates.limit()) break;
       const Interval own = own_interval(world, primitive, probe);
@@ -121,14 +121,6 @@ Candidates settled(const World& world, const Ray& ray, const Candidates& quick) 
   candidates.tidy();
   candidates.shift(least);
   return candidates;
-}
-
-/// Is the ray inside the shape, as far as it knows?
-bool starts_inside(const Ray& ray, std::uint32_t shape) {
-  for (const Contact& contact : ray.contacts) {
-    if (contact.shape == shape) return contact.in_shape;
-  }
-  return std::find(ray.open.begin(), ray.open.end(), shape) != ray.open.end();
 }
 
 /// Where facets of a closed mesh meet, those of them that the ray crosses take it in, > 0, out, < 0, or into
@@ -250,6 +242,38 @@ AtStart at_start(const Contact& contact, Kind kind, Vec3 direction) {
   const double outward = dot(contact.normal, direction);
   if (!contact.left && (contact.inside ? outward > 0 : outward < 0)) return AtStart::meets;
   return is_convex_solid(kind) && outward < 0 ? AtStart::passes_through : AtStart::nothing;
+}
+
+bool starts_inside(const Ray& ray, std::uint32_t shape) {
+  for (const Contact& contact : ray.contacts) {
+    if (contact.shape == shape) return contact.in_shape;
+  }
+  return std::find(ray.open.begin(), ray.open.end(), shape) != ray.open.end();
+}
+
+Roots roots_ahead(const World& world, const Ray& ray, std::uint32_t primitive, const Probe& probe) {
+  Roots found = roots(world, primitive, probe);
+  if (found.count == 0 || ray.origin_error == 0) return found;
+  const Primitive p = world.primitives[primitive];
+  const auto is_at_start = [&](const Root& root) {
+    const Vec3 n = normal(world, primitive, ray.origin + ray.direction * root.t, root.face);
+    return (std::fabs(root.t) - root.error) * std::fabs(dot(n, ray.direction)) <= ray.origin_error;
+  };
+  if (p.kind == Kind::facet && encloses(*world.scene, p.shape)) {
+    if (!is_at_start(found.root[0])) return found;
+    if (found.root[0].entering == starts_inside(ray, p.shape)) return {};
+    found.at_start = true;
+  } else if (is_convex_solid(p.kind) && found.count == 2) {
+    const Root in = found.root[0], out = found.root[1];
+    if (starts_inside(ray, p.shape)) {
+      // Having gone in, by a side that it all but lies in perhaps, it can only go out.
+      found = {1, {out, {}}, false, !(out.t > 0) && is_at_start(out)};
+    } else if (!(in.t > 0) && out.t > 0) {
+      if (is_at_start(out)) return {};
+      found.at_start = is_at_start(in);
+    }
+  }
+  return found;
 }
 
 bool is_echo(const World& world, const Ray& ray, std::uint32_t primitive, const Root& root) {

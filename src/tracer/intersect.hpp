@@ -58,6 +58,13 @@ inline const Contact* find_contact(const Contacts& contacts, std::uint32_t primi
   return nullptr;
 }
 
+/// Is the ray inside the shape, as far as it knows?
+bool starts_inside(const Ray& ray, std::uint32_t shape);
+
+/// The roots that count for the ray. The start that rounding moved may lie on the wrong side of a convex
+/// solid that is next to it: what the ray knows tells whether it is still to go in there, or out.
+Roots roots_ahead(const World& world, const Ray& ray, std::uint32_t primitive, const Probe& probe);
+
 /// Next to its start a ray that leaves a mesh can only meet those of its facets that fit the side that it is
 /// on, and none that lies behind the surface it leaves: a neighbour across an edge, missed or met by rounding
 /// alone, is not crossed a second time.
@@ -107,9 +114,9 @@ bool crossings(const World& world, const Ray& ray, double distance, Stats& stats
   const auto test = [&](std::uint32_t primitive) {
     if (find_contact(ray.contacts, primitive)) return false;
     ++stats.shape_tests;
-    const Roots found = roots(world, primitive, probe);
+    const Roots found = roots_ahead(world, ray, primitive, probe);
     for (int i = 0; i < found.count; ++i) {
-      if (!(found.root[i].t > 0)) continue;
+      if (!(found.root[i].t > 0) && !found.at_start) continue;
       const Interval own = own_interval(world, primitive, probe);
       if (!(own.enter <= own.leave) || !(own.enter <= distance)) return false;
       const Root root = within(found.root[i], own);

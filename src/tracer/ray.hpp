@@ -73,7 +73,8 @@ struct Root {
 struct Roots {
   int count = 0;
   Root root[2];
-  bool passes = false;  // none, but the ray passes by a facet's rim within rounding: root[0] is where
+  bool passes = false;    // none, but the ray passes by a facet's rim within rounding: root[0] is where
+  bool at_start = false;  // root[0] counts where the ray starts, although rounding has it behind that
 };
 
 }  // namespace lancer::tracer

@@ -22,6 +22,7 @@ Rows all_rows() {
   add_picture_bits_rows(rows);
   add_media_nested_rows(rows);
   add_media_touching_rows(rows);
+  add_media_walks_rows(rows);
   add_media_critical_rows(rows);
   add_media_bounces_rows(rows);
   add_media_furnace_rows(rows);

@@ -26,6 +26,7 @@ void add_picture_light_rows(Rows& rows);
 void add_picture_bits_rows(Rows& rows);
 void add_media_nested_rows(Rows& rows);
 void add_media_touching_rows(Rows& rows);
+void add_media_walks_rows(Rows& rows);
 void add_media_critical_rows(Rows& rows);
 void add_media_bounces_rows(Rows& rows);
 void add_media_furnace_rows(Rows& rows);
