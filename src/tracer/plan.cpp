@@ -20,7 +20,6 @@ using scene::Index;
 using scene::k_none;
 using Things = std::vector<Index>;
 
-constexpr MaterialNeeds k_everything;
 constexpr std::size_t k_most_named = 3;
 constexpr double k_faint_part = 1.0 / 8;  // of the error asked for, that all that is faint may add up to
 
@@ -353,10 +352,6 @@ void Planner::plan_faint() {
 }
 
 }  // namespace
-
-const MaterialNeeds& Plan::needs_of(Index material) const {
-  return material < needs.size() ? needs[material] : k_everything;
-}
 
 Plan plan(const scene::Scene& scene, const scene::View& view, const Options& options) {
   return Planner(scene, view, options).run();

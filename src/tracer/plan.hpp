@@ -73,7 +73,10 @@ struct Plan {
   std::uint64_t worn = 0;            // materials that some shape wears
   std::uint64_t primitives = 0;      // that a tree or list would hold
 
-  const MaterialNeeds& needs_of(scene::Index material) const;
+  const MaterialNeeds& needs_of(scene::Index material) const {
+    return material < needs.size() ? needs[material] : k_everything;
+  }
+  static constexpr MaterialNeeds k_everything{};
 };
 
 /// A pure function of what it is given.

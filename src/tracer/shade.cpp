@@ -21,7 +21,7 @@ Color clamped(Color c) {
 Color reflected_light(const Surface& surface, Vec3 towards, Vec3 view, double n_dot_l) {
   Color sum = surface.diffuse * n_dot_l;
   if (is_black(surface.specular)) return sum;
-  const double n_dot_h = std::fmax(0, dot(surface.normal, normalize(towards + view)));
+  const double n_dot_h = larger(0, dot(surface.normal, normalize(towards + view)));
   return sum + surface.specular * math::pow(n_dot_h, surface.shininess);
 }
 
@@ -33,8 +33,10 @@ struct Meeting {
   const Surface& surface;
 };
 
-bool is_too_faint(const Asking& asking, Color light, Stats& stats) {
-  if (!asking.allowance || !asking.allowance->takes(asking.share * light)) return false;
+/// `light`: a function, called only where something may be left out.
+template <class Light>
+bool is_too_faint(const Asking& asking, const Light& light, Stats& stats) {
+  if (!asking.allowance || !asking.allowance->takes(asking.share * light())) return false;
   ++stats.lights_faint;
   return true;
 }
@@ -56,7 +58,9 @@ std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, co
     return std::nullopt;
   }
   // Before the highlight is worked out, and with it.
-  const Color most = arriving * (at.surface.diffuse * std::fmax(0, n_dot_l) + at.surface.specular);
+  const auto most = [&] {
+    return arriving * (at.surface.diffuse * larger(0, n_dot_l) + at.surface.specular);
+  };
   if (is_too_faint(asking, most, stats)) return std::nullopt;
   const Color sent =
       in_front ? arriving * reflected_light(at.surface, from.towards, -at.ray.direction, n_dot_l) : Color{};
@@ -64,7 +68,9 @@ std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, co
     ++stats.lights_unanswered;
     return std::nullopt;
   }
-  if (is_too_faint(asking, sent, stats)) return std::nullopt;
+  if (is_too_faint(
+          asking, [&] { return sent; }, stats))
+    return std::nullopt;
   return sent;
 }
 
@@ -96,21 +102,20 @@ void ask_lights(const Meeting& at, const Asking& asking, Joined& sum, Stats& sta
   for (std::size_t i = 0; i < count && !at.tracing.cancelled(); ++i) ask(all[some ? (*some)[i] : i]);
 }
 
-/// The solids that a ray from the hit is inside of. A ray that only touches a sphere or box goes on outside,
-/// whichever way rounding has it.
-OpenSolids open_after(const Tracing& tracing, const Hit& hit, Vec3 direction, OpenSolids open, Stats& stats) {
-  const World& world = *tracing.world;
-  if (!tracing.plan->media || !is_convex_solid(world.primitives[hit.primitive].kind)) return open;
+/// A ray from the hit, where rays that have not turned off are inside of the solids `open`. A ray that only
+/// touches a sphere or box goes on outside, whichever way rounding has it.
+void branch_off(const Meeting& at, Vec3 direction, Color share, const OpenSolids& open,
+                std::optional<Branch>& out, Stats& stats) {
+  const World& world = *at.tracing.world;
+  Branch& branch = out.emplace(ray_from(world, at.hit, direction), share);
+  branch.ray.open = open;
+  if (!at.tracing.plan->media || !is_convex_solid(world.primitives[at.hit.primitive].kind)) return;
   ++stats.medium_changes;
-  cross(world, open, hit.shape, dot(hit.normal, direction) < 0);
-  return open;
+  cross(world, branch.ray.open, at.hit.shape, dot(at.hit.normal, direction) < 0);
 }
 
-Branch reflection(const Meeting& at, Color share, Stats& stats) {
-  const Vec3 direction = mirrored(at.ray.direction, at.surface.normal);
-  Branch branch{ray_from(*at.tracing.world, at.hit, direction), share, {}};
-  branch.ray.open = open_after(at.tracing, at.hit, direction, at.ray.open, stats);
-  return branch;
+void reflect(const Meeting& at, Color share, std::optional<Branch>& out, Stats& stats) {
+  branch_off(at, mirrored(at.ray.direction, at.surface.normal), share, at.ray.open, out, stats);
 }
 
 /// The two directions in which light goes on, and what of it.
@@ -136,27 +141,22 @@ void add_branches(const Meeting& at, Shaded& out, Stats& stats) {
     }
     const std::optional<Vec3> direction = refracted(ray.direction, surface.normal, from, to);
     if (!direction) {
-      out.reflected = reflection(at, mirror_share, stats);
+      reflect(at, mirror_share, out.reflected, stats);
       out.reflected->also = through_share;
       return;
     }
     if (!is_black(through_share)) {
-      out.transmitted = Branch{ray_from(world, hit, *direction), through_share, {}};
-      out.transmitted->ray.open = open_after(tracing, hit, *direction, beyond, stats);
+      branch_off(at, *direction, through_share, beyond, out.transmitted, stats);
     }
   }
-  if (!is_black(mirror_share)) out.reflected = reflection(at, mirror_share, stats);
+  if (!is_black(mirror_share)) reflect(at, mirror_share, out.reflected, stats);
 }
 
 }  // namespace
 
-void Joined::add(Color term) {
-  if (how_ == scene::Sum::linear) {
-    value_ += term;
-  } else {
-    const Color t = clamped(term);
-    value_ = value_ + t * (grey(1) - value_);
-  }
+void Joined::add_clamped(Color term) {
+  const Color t = clamped(term);
+  value_ = value_ + t * (grey(1) - value_);
 }
 
 bool Joined::is_full() const { return how_ == scene::Sum::log && value_ == grey(1); }
@@ -168,7 +168,7 @@ Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow
   const MaterialNeeds& needs = plan.needs_of(scene.shapes[hit.shape].material);
   const Surface surface = surface_at(*tracing.world, needs, ray, hit, follow, stats);
   const Meeting at{tracing, ray, hit, surface};
-  Shaded out{Joined(scene.settings.sum), {}, {}};
+  Shaded out(scene.settings.sum);
   out.own.add(surface.ambient * scene.settings.ambient);
   if (needs.direct) {
     ask_lights(at, asking, out.own, stats);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "tracer/crossings.hpp"
 #include "tracer/pattern.hpp"
 
 namespace lancer::tracer {

@@ -65,14 +65,13 @@ Roots facet_roots(const World& world, const Primitive& p, const Probe& probe) {
 
 }  // namespace
 
-Roots roots(const World& world, std::uint32_t primitive, const Probe& probe) {
-  const Primitive p = world.primitives[primitive];
+Roots other_roots(const World& world, const Primitive& p, const Probe& probe) {
   switch (p.kind) {
-    case Kind::sphere: return roots(world.spheres[p.record], probe);
     case Kind::ellipsoid: return roots(world.ellipsoids[p.record], probe);
-    case Kind::plane: return roots(world.planes[p.record], probe);
     case Kind::box: return roots(world.boxes[p.record], probe);
     case Kind::facet: return facet_roots(world, p, probe);
+    case Kind::sphere:
+    case Kind::plane: break;
   }
   return {};
 }
@@ -135,18 +134,6 @@ double slack(const World& world, std::uint32_t primitive) {
     case Kind::facet: return world.facets[p.record].slack;
   }
   return 0;
-}
-
-Aabb bounds(const World& world, std::uint32_t primitive) {
-  const Primitive p = world.primitives[primitive];
-  switch (p.kind) {
-    case Kind::sphere: return bounds(world.spheres[p.record]);
-    case Kind::ellipsoid: return bounds(world.ellipsoids[p.record]);
-    case Kind::box: return bounds(world.boxes[p.record]);
-    case Kind::facet: return bounds(world.facets[p.record]);
-    case Kind::plane: break;
-  }
-  return {};
 }
 
 double side(const World& world, std::uint32_t shape, Vec3 at) {
