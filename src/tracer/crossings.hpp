@@ -87,10 +87,12 @@ class CrossingSearch {
     for (const std::uint32_t primitive : world_.unbounded) {
       if (test(primitive)) return true;
     }
+    if (world_.listed_spheres.each(probe_, [&](std::uint32_t primitive) { return test(primitive); })) {
+      return true;
+    }
     const auto test_item = [&](std::uint32_t item) { return test(world_.bounded[item]); };
     if (world_.tree.traverse(probe_, distance_, stats.node_visits, test_item, Order::any)) return true;
-    if (rims_.size() > 1) join(rims_);
-    return std::any_of(rims_.begin(), rims_.end(), visit_);
+    return !rims_.empty() && tell_rims();
   }
 
   bool test(std::uint32_t primitive) {
@@ -101,6 +103,11 @@ class CrossingSearch {
       return (found.count > 0 && tell(primitive, found.root[0])) ||
              (found.count > 1 && tell(primitive, found.root[1]));
     });
+  }
+
+  bool tell_rims() {
+    if (rims_.size() > 1) join(rims_);
+    return std::any_of(rims_.begin(), rims_.end(), visit_);
   }
 
   bool tell(std::uint32_t primitive, const Root& found) {

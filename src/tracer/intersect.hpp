@@ -35,8 +35,12 @@ inline Ray ray_from(const World& world, const Hit& hit, Vec3 direction);
 /// On which side of each of its contacts the ray from the hit starts, and which it leaves.
 void set_sides(const World& world, const Hit& hit, Ray& ray);
 
-Ray ray_from(const World& world, const Hit& hit, Vec3 direction) {
-  Ray ray{hit.point, direction, hit.point_error, hit.contacts, {}};
+/// As ray_from(), into a ray that starts elsewhere.
+inline void restart(const World& world, const Hit& hit, Vec3 direction, Ray& ray) {
+  ray.origin = hit.point;
+  ray.direction = direction;
+  ray.origin_error = hit.point_error;
+  ray.contacts = hit.contacts;
   if (hit.contacts.size() == 1 && hit.contacts[0].primitive == hit.primitive) {
     Contact& surface = ray.contacts[0];
     surface.inside = surface.in_shape = dot(hit.normal, direction) < 0;
@@ -44,6 +48,11 @@ Ray ray_from(const World& world, const Hit& hit, Vec3 direction) {
   } else {
     set_sides(world, hit, ray);
   }
+}
+
+Ray ray_from(const World& world, const Hit& hit, Vec3 direction) {
+  Ray ray;
+  restart(world, hit, direction, ray);
   return ray;
 }
 

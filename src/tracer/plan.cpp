@@ -274,7 +274,8 @@ void Planner::plan_patterns() {
 
 void Planner::plan_tree() {
   const std::string many = std::to_string(has_.primitives);
-  if (has_.primitives > k_longest_list) {
+  const std::uint64_t longest = has_.only_spheres_and_planes ? k_longest_list_of_spheres : k_longest_list;
+  if (has_.primitives > longest) {
     decide(Skip::tree, Verdict::needed, many + " things are more than a list is good for");
   } else {
     out_.tree = !leave_out(Skip::tree, many + " things are asked one by one");

@@ -86,7 +86,8 @@ Plan plan(const scene::Scene& scene, const scene::View& view, const Options& opt
 /// 2`).
 std::string in_words(const scene::Scene& scene, const Decision& decision);
 
-/// Up to this many primitives a list is asked faster than a tree.
-inline constexpr std::uint64_t k_longest_list = 4;
+/// Up to this many primitives a list is asked faster than a tree; spheres, tested four at a time, and planes
+/// may be more.
+inline constexpr std::uint64_t k_longest_list = 4, k_longest_list_of_spheres = 8;
 
 }  // namespace lancer::tracer

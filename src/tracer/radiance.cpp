@@ -46,7 +46,9 @@ Color Tracer::linear(const Ray& first, int depth) {
         if (is_black(counts)) return;
         ++count;
         if (goes_on) pending_.push_back(std::move(now));
-        now = {std::move(branch->ray), counts, left};
+        now.ray = std::move(branch->ray);
+        now.share = counts;
+        now.depth = left;
         goes_on = true;
       };
       follow(shaded.reflected, stats_.reflected_rays);

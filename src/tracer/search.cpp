@@ -16,6 +16,10 @@ class Search {
   void run(Stats& stats) {
     pass_through_solids();
     for (const std::uint32_t primitive : world_.unbounded) test(primitive);
+    world_.listed_spheres.each(probe_, [&](std::uint32_t primitive) {
+      test(primitive);
+      return false;
+    });
     world_.tree.traverse(probe_, found_.candidates.limit(), stats.node_visits, [&](std::uint32_t item) {
       test(world_.bounded[item]);
       return false;

@@ -17,14 +17,6 @@ Color clamped(Color c) {
   return {std::clamp(c.r, 0.0, 1.0), std::clamp(c.g, 0.0, 1.0), std::clamp(c.b, 0.0, 1.0)};
 }
 
-/// kd max(0, n.l) + ks max(0, n.h)^shininess, for a light in front.
-Color reflected_light(const Surface& surface, Vec3 towards, Vec3 view, double n_dot_l) {
-  Color sum = surface.diffuse * n_dot_l;
-  if (is_black(surface.specular)) return sum;
-  const double n_dot_h = larger(0, dot(surface.normal, normalize(towards + view)));
-  return sum + surface.specular * math::pow(n_dot_h, surface.shininess);
-}
-
 /// A surface that a ray met, for the lights and rays that are asked from there.
 struct Meeting {
   const Tracing& tracing;
@@ -33,58 +25,86 @@ struct Meeting {
   const Surface& surface;
 };
 
-/// `light`: a function, called only where something may be left out.
-template <class Light>
-bool is_too_faint(const Asking& asking, const Light& light, Stats& stats) {
-  if (!asking.allowance || !asking.allowance->takes(asking.share * light())) return false;
-  ++stats.lights_faint;
-  return true;
-}
+/// What a light sends along the ray.
+class LightTerm {
+ public:
+  LightTerm(const Meeting& at, const scene::Light& light)
+      : at_(at),
+        light_(light),
+        from_(bearing(light, at.hit.point)),
+        n_dot_l_(dot(at.surface.normal, from_.towards)) {}
 
-/// The light's whole term without shadows. Nothing where it is known to be black, and need not be asked for
-/// shadows; why is counted.
-std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, const Bearing& from,
-                                const Asking& asking, Stats& stats) {
-  const Skips skips = at.tracing.plan->skips;
-  const double n_dot_l = dot(at.surface.normal, from.towards);
-  const bool in_front = n_dot_l > 0;
-  if (!in_front && skips.has(Skip::dark_lights)) {
-    ++stats.lights_behind;
-    return std::nullopt;
+  /// Is it known to be black, or too faint to show? Then it need not be asked for shadows; why is counted.
+  bool is_left_out(const Asking& asking, Stats& stats) {
+    const Skips skips = at_.tracing.plan->skips;
+    if (from_.distance == 0) return true;
+    if (!is_in_front() && skips.has(Skip::dark_lights)) {
+      ++stats.lights_behind;
+      return true;
+    }
+    arriving_ = intensity(light_, from_);
+    if (is_black(arriving_) && skips.has(Skip::dark_lights)) {
+      ++stats.lights_outside_cone;
+      return true;
+    }
+    // What spreads is nearly always enough to know that the light is asked for shadows.
+    if (!asking.allowance && is_in_front() && !is_black(arriving_ * spread())) return false;
+    return is_highlight_left_out(asking, stats);
   }
-  const Color arriving = intensity(light, from);
-  if (is_black(arriving) && skips.has(Skip::dark_lights)) {
-    ++stats.lights_outside_cone;
-    return std::nullopt;
+
+  /// Without shadows, of a light that is not left out.
+  Color unshadowed() const { return is_in_front() ? arriving_ * (spread() + highlight()) : Color{}; }
+
+  /// The way to the light.
+  const Bearing& from() const { return from_; }
+
+ private:
+  bool is_in_front() const { return n_dot_l_ > 0; }
+  /// kd n.l
+  Color spread() const { return at_.surface.diffuse * n_dot_l_; }
+  /// ks max(0, n.h)^shininess
+  Color highlight() const {
+    if (is_black(at_.surface.specular)) return {};
+    const double n_dot_h = larger(0, dot(at_.surface.normal, normalize(from_.towards - at_.ray.direction)));
+    return at_.surface.specular * math::pow(n_dot_h, at_.surface.shininess);
   }
-  // Before the highlight is worked out, and with it.
-  const auto most = [&] {
-    return arriving * (at.surface.diffuse * larger(0, n_dot_l) + at.surface.specular);
-  };
-  if (is_too_faint(asking, most, stats)) return std::nullopt;
-  const Color sent =
-      in_front ? arriving * reflected_light(at.surface, from.towards, -at.ray.direction, n_dot_l) : Color{};
-  if (is_black(sent) && in_front && !is_black(arriving) && skips.has(Skip::zero_terms)) {
-    ++stats.lights_unanswered;
-    return std::nullopt;
+
+  [[gnu::noinline]] bool is_highlight_left_out(const Asking& asking, Stats& stats) const {
+    const auto is_faint = [&](Color light) {
+      if (!asking.allowance || !asking.allowance->takes(asking.share * light)) return false;
+      ++stats.lights_faint;
+      return true;
+    };
+    // Before the highlight is worked out, and with it.
+    if (is_faint(arriving_ * (at_.surface.diffuse * larger(0, n_dot_l_) + at_.surface.specular))) return true;
+    const Color sent = unshadowed();
+    if (is_black(sent) && is_in_front() && !is_black(arriving_) &&
+        at_.tracing.plan->skips.has(Skip::zero_terms)) {
+      ++stats.lights_unanswered;
+      return true;
+    }
+    return is_faint(sent);
   }
-  if (is_too_faint(
-          asking, [&] { return sent; }, stats))
-    return std::nullopt;
-  return sent;
-}
+
+  const Meeting& at_;
+  const scene::Light& light_;
+  Bearing from_;
+  double n_dot_l_;
+  Color arriving_;
+};
 
 Color from_light(const Meeting& at, const scene::Light& light, const Asking& asking, Stats& stats) {
   const Plan& plan = *at.tracing.plan;
-  const Bearing from = bearing(light, at.hit.point);
-  if (from.distance == 0) return {};
-  const std::optional<Color> sent = unshadowed(at, light, from, asking, stats);
-  if (!sent) return {};
-  if (plan.shadows == ShadowWork::none) return *sent;
+  LightTerm term(at, light);
+  if (term.is_left_out(asking, stats)) return {};
+  if (plan.shadows == ShadowWork::none) return term.unshadowed();
   const World& world = *at.tracing.world;
-  const Ray shadow_ray = ray_from(world, at.hit, from.towards);
-  const Color through = light_through(world, plan.shadows, shadow_ray, from.distance, stats, plan.any_hit);
-  return is_black(*sent) ? Color{} : through * *sent;
+  const Ray shadow_ray = ray_from(world, at.hit, term.from().towards);
+  const Color through =
+      light_through(world, plan.shadows, shadow_ray, term.from().distance, stats, plan.any_hit);
+  if (is_black(through)) return {};
+  const Color sent = term.unshadowed();
+  return is_black(sent) ? Color{} : through * sent;
 }
 
 void ask_lights(const Meeting& at, const Asking& asking, Joined& sum, Stats& stats) {
@@ -107,7 +127,9 @@ void ask_lights(const Meeting& at, const Asking& asking, Joined& sum, Stats& sta
 void branch_off(const Meeting& at, Vec3 direction, Color share, const OpenSolids& open,
                 std::optional<Branch>& out, Stats& stats) {
   const World& world = *at.tracing.world;
-  Branch& branch = out.emplace(ray_from(world, at.hit, direction), share);
+  Branch& branch = out.emplace();
+  restart(world, at.hit, direction, branch.ray);
+  branch.share = share;
   branch.ray.open = open;
   if (!at.tracing.plan->media || !is_convex_solid(world.primitives[at.hit.primitive].kind)) return;
   ++stats.medium_changes;

@@ -41,8 +41,6 @@ struct Branch {
   Ray ray;
   Color share;
   Color also;
-
-  Branch(Ray from, Color counts) : ray(std::move(from)), share(counts) {}
 };
 
 struct Shaded {

@@ -49,7 +49,7 @@ Color filtered(const World& world, const Ray& ray, double distance, Stats& stats
     return blocked && any_hit;
   });
   if (blocked) return {};
-  std::sort(list.begin(), list.end(), comes_first);
+  if (list.size() > 1) std::sort(list.begin(), list.end(), comes_first);
   Color through = grey(1);
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (i == 0 || !repeats(list[i - 1], list[i])) through = through * transmission(world, ray, list[i]);

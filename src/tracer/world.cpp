@@ -23,7 +23,10 @@ World prepare(const scene::Scene& scene, Vec3 origin, const std::atomic<bool>* c
   world.first_primitive.push_back(static_cast<std::uint32_t>(world.primitives.size()));
 
   for (std::uint32_t primitive = 0; primitive < world.primitives.size(); ++primitive) {
-    if (!with_tree || world.primitives[primitive].kind == Kind::plane) {
+    const Primitive& p = world.primitives[primitive];
+    if (!with_tree && p.kind == Kind::sphere) {
+      world.listed_spheres.add(world.spheres[p.record], primitive);
+    } else if (!with_tree || p.kind == Kind::plane) {
       world.unbounded.push_back(primitive);
     } else {
       world.bounded.push_back(primitive);

@@ -13,6 +13,7 @@
 #include "tracer/shapes/facet.hpp"
 #include "tracer/shapes/plane.hpp"
 #include "tracer/shapes/sphere.hpp"
+#include "tracer/shapes/sphere_quads.hpp"
 
 namespace lancer::tracer {
 
@@ -41,7 +42,8 @@ struct World {
 
   std::vector<Primitive> primitives;
   std::vector<std::uint32_t> first_primitive;  // of each shape, and one past the last
-  std::vector<std::uint32_t> unbounded;        // primitives that are in no tree
+  SphereQuads listed_spheres;                  // primitives that are in no tree: spheres
+  std::vector<std::uint32_t> unbounded;        // and all others
   std::vector<std::uint32_t> bounded;          // the primitive of each item of the tree
   Bvh tree;
   std::vector<SolidMesh> solid_meshes;
