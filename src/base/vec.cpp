@@ -14,14 +14,14 @@ bool is_scalable(Vec3 a) { return max_abs(a) != 0 && is_finite(a); }
 
 }  // namespace
 
-double length(Vec3 a) {
+double scaled_length(Vec3 a) {
   if (!is_scalable(a)) return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);  // 0, infinite or NaN
   int exponent = 0;
   const Vec3 s = scaled(a, exponent);
   return std::scalbn(std::sqrt(dot(s, s)), exponent);
 }
 
-Vec3 normalize(Vec3 a) {
+Vec3 scaled_normalize(Vec3 a) {
   if (!is_scalable(a)) return a;
   int exponent = 0;
   const Vec3 s = scaled(a, exponent);

@@ -12,6 +12,14 @@ namespace lancer::tracer {
 
 inline constexpr Interval k_anywhere{0, k_infinity};
 
+/// What is known of a root, and of where the primitive as a whole lies on the ray.
+inline Root within(Root root, const Interval& own) {
+  const double enter = own.enter * (1 - 2 * gamma(3));  // as in interval(), for the near side
+  if (root.t < enter || root.t > own.leave) root.t = root.t < enter ? enter : own.leave;
+  root.error = std::min(root.error, own.leave - enter);
+  return root;
+}
+
 /// A surface that may be the first.
 struct Candidate {
   std::uint32_t primitive = 0;
@@ -35,6 +43,9 @@ class Candidates {
     const double latest = std::max(std::min(high, own.leave), own.enter);
     if (earliest > limit_) return;
     limit_ = std::min(limit_, latest);
+    // Nearly always there is one, and the other is clearly behind it. Whoever passes beside rims asks for
+    // all.
+    if (list_.size() == 1 && list_[0].earliest > limit_ && !list_[0].root.rim) list_.clear();
     if (list_.size() >= k_tidy) tidy();
     list_.push_back({primitive, root, own, earliest, normal});
   }

@@ -20,6 +20,9 @@ Inventory::Inventory(const scene::Scene& scene)
     const scene::Shape& shape = scene.shapes[i];
     const bool is_mesh = shape.kind == scene::ShapeKind::mesh;
     primitives += is_mesh ? scene.meshes[shape.record].faces.size() : 1;
+    if (shape.kind != scene::ShapeKind::sphere && shape.kind != scene::ShapeKind::plane) {
+      only_spheres_and_planes = false;
+    }
     Wearers& worn = wearers[shape.material];
     const auto first = [&](scene::Index& place) {
       if (place == scene::k_none) place = i;

@@ -31,6 +31,7 @@ struct Inventory {
   std::vector<Terms> terms;
   std::vector<scene::Index> solid_meshes;
   std::uint64_t primitives = 0;
+  bool only_spheres_and_planes = true;
 };
 
 }  // namespace lancer::tracer

@@ -99,6 +99,7 @@ std::vector<Surrounding> solids_around(const World& world, Vec3 p) {
     if (one.kind != Kind::facet) shapes.push_back(one.shape);
   };
   for (const std::uint32_t primitive : world.unbounded) add(primitive);
+  for (const std::uint32_t primitive : world.listed_spheres.numbers()) add(primitive);
   world.tree.around(p, [&](std::uint32_t item) { add(world.bounded[item]); });
   for (const SolidMesh& mesh : world.solid_meshes) {
     if (mesh.bounds.contains(p)) shapes.push_back(mesh.shape);

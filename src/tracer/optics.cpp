@@ -32,8 +32,6 @@ Angles angles(Vec3 d, Vec3 n, double from, double to) {
 
 }  // namespace
 
-Vec3 mirrored(Vec3 d, Vec3 n) { return normalize(d - n * (2 * dot(d, n))); }
-
 std::optional<Vec3> refracted(Vec3 d, Vec3 n, double from, double to) {
   if (from == to) return d;
   const Angles a = angles(d, n, from, to);

@@ -8,7 +8,7 @@
 namespace lancer::tracer {
 
 /// The mirror direction of d at the normal n; both of unit length.
-Vec3 mirrored(Vec3 d, Vec3 n);
+inline Vec3 mirrored(Vec3 d, Vec3 n) { return normalize(d - n * (2 * dot(d, n))); }
 
 /// The direction after Snell's law, from index `from` to index `to`; n faces the ray, n . d < 0, both of unit
 /// length. None under total reflection. Equal indices leave every bit of d as it was.

@@ -20,7 +20,6 @@ using scene::Index;
 using scene::k_none;
 using Things = std::vector<Index>;
 
-constexpr MaterialNeeds k_everything;
 constexpr std::size_t k_most_named = 3;
 constexpr double k_faint_part = 1.0 / 8;  // of the error asked for, that all that is faint may add up to
 
@@ -275,7 +274,8 @@ void Planner::plan_patterns() {
 
 void Planner::plan_tree() {
   const std::string many = std::to_string(has_.primitives);
-  if (has_.primitives > k_longest_list) {
+  const std::uint64_t longest = has_.only_spheres_and_planes ? k_longest_list_of_spheres : k_longest_list;
+  if (has_.primitives > longest) {
     decide(Skip::tree, Verdict::needed, many + " things are more than a list is good for");
   } else {
     out_.tree = !leave_out(Skip::tree, many + " things are asked one by one");
@@ -353,10 +353,6 @@ void Planner::plan_faint() {
 }
 
 }  // namespace
-
-const MaterialNeeds& Plan::needs_of(Index material) const {
-  return material < needs.size() ? needs[material] : k_everything;
-}
 
 Plan plan(const scene::Scene& scene, const scene::View& view, const Options& options) {
   return Planner(scene, view, options).run();

@@ -73,7 +73,10 @@ struct Plan {
   std::uint64_t worn = 0;            // materials that some shape wears
   std::uint64_t primitives = 0;      // that a tree or list would hold
 
-  const MaterialNeeds& needs_of(scene::Index material) const;
+  const MaterialNeeds& needs_of(scene::Index material) const {
+    return material < needs.size() ? needs[material] : k_everything;
+  }
+  static constexpr MaterialNeeds k_everything{};
 };
 
 /// A pure function of what it is given.
@@ -83,7 +86,8 @@ Plan plan(const scene::Scene& scene, const scene::View& view, const Options& opt
 /// 2`).
 std::string in_words(const scene::Scene& scene, const Decision& decision);
 
-/// Up to this many primitives a list is asked faster than a tree.
-inline constexpr std::uint64_t k_longest_list = 4;
+/// Up to this many primitives a list is asked faster than a tree; spheres, tested four at a time, and planes
+/// may be more.
+inline constexpr std::uint64_t k_longest_list = 4, k_longest_list_of_spheres = 8;
 
 }  // namespace lancer::tracer

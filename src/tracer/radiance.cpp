@@ -14,12 +14,11 @@ Color at_most(Color share, Color bound) {
 
 }  // namespace
 
-Color Tracer::radiance(Ray ray, int depth) {
+Color Tracer::radiance(const Ray& ray, int depth) {
   const Plan& plan = *tracing_.plan;
   if (!plan.recursion && !plan.faint_lights) return one_surface(ray);
-  if (tracing_.world->scene->settings.sum == scene::Sum::log) return log(std::move(ray), depth);
-  return plan.faint_rays || plan.faint_lights ? linear_to_error(std::move(ray), depth)
-                                              : linear(std::move(ray), depth);
+  if (tracing_.world->scene->settings.sum == scene::Sum::log) return log(ray, depth);
+  return plan.faint_rays || plan.faint_lights ? linear_to_error(ray, depth) : linear(ray, depth);
 }
 
 Color Tracer::one_surface(const Ray& ray) {
@@ -28,30 +27,39 @@ Color Tracer::one_surface(const Ray& ray) {
   return shade(tracing_, ray, hit, false, stats_, {grey(1), nullptr, cells()}).own.value();
 }
 
-Color Tracer::linear(Ray first, int depth) {
+Color Tracer::linear(const Ray& first, int depth) {
   const scene::Settings& settings = tracing_.world->scene->settings;
   Color sum;
   pending_.clear();
-  pending_.push_back({std::move(first), grey(1), depth});
+  Pending now{first, grey(1), depth};
   Hit hit;
-  while (!pending_.empty() && !tracing_.cancelled()) {
-    const Pending now = std::move(pending_.back());
-    pending_.pop_back();
-    if (!closest(*tracing_.world, now.ray, stats_, hit)) {
+  while (!tracing_.cancelled()) {
+    bool goes_on = false;
+    if (closest(*tracing_.world, now.ray, stats_, hit)) {
+      const Color share = now.share;
+      Shaded shaded = shade(tracing_, now.ray, hit, now.depth > 0, stats_, {grey(1), nullptr, cells()});
+      sum += share * shaded.own.value();
+      const int left = now.depth - 1;
+      const auto follow = [&](std::optional<Branch>& branch, std::uint64_t& count) {
+        if (!branch) return;
+        const Color counts = share * (branch->share + branch->also);
+        if (is_black(counts)) return;
+        ++count;
+        if (goes_on) pending_.push_back(std::move(now));
+        now.ray = std::move(branch->ray);
+        now.share = counts;
+        now.depth = left;
+        goes_on = true;
+      };
+      follow(shaded.reflected, stats_.reflected_rays);
+      follow(shaded.transmitted, stats_.refracted_rays);
+    } else {
       sum += now.share * settings.background;
-      continue;
     }
-    Shaded shaded = shade(tracing_, now.ray, hit, now.depth > 0, stats_, {grey(1), nullptr, cells()});
-    sum += now.share * shaded.own.value();
-    const auto follow = [&](std::optional<Branch>& branch, std::uint64_t& count) {
-      if (!branch) return;
-      const Color share = now.share * (branch->share + branch->also);
-      if (is_black(share)) return;
-      ++count;
-      pending_.push_back({std::move(branch->ray), share, now.depth - 1});
-    };
-    follow(shaded.reflected, stats_.reflected_rays);
-    follow(shaded.transmitted, stats_.refracted_rays);
+    if (goes_on) continue;
+    if (pending_.empty()) break;
+    now = std::move(pending_.back());
+    pending_.pop_back();
   }
   return sum;
 }
@@ -64,12 +72,12 @@ Color Tracer::allowance(Color seen) const {
   return {of(seen.r), of(seen.g), of(seen.b)};
 }
 
-Color Tracer::linear_to_error(Ray first, int depth) {
+Color Tracer::linear_to_error(const Ray& first, int depth) {
   const Plan& plan = *tracing_.plan;
   const scene::Settings& settings = tracing_.world->scene->settings;
   Color sum, lost;
   brightest_.clear();
-  brightest_.push({std::move(first), grey(1), depth}, {});
+  brightest_.push({first, grey(1), depth}, {});
   Hit hit;
   for (bool is_first = true; !brightest_.empty() && !tracing_.cancelled(); is_first = false) {
     if (!is_first && plan.faint_rays && brightest_.fit(allowance(sum) - lost)) {

@@ -15,7 +15,7 @@ class Tracer {
   explicit Tracer(const Tracing& tracing) : tracing_(tracing), cells_(*tracing.world->scene, *tracing.plan) {}
 
   /// What arrives along the ray, of which `depth` deviations may be followed.
-  Color radiance(Ray ray, int depth);
+  Color radiance(const Ray& ray, int depth);
 
   Stats& stats() { return stats_; }
 
@@ -31,9 +31,9 @@ class Tracer {
 
   /// Where nothing goes on from what a ray meets.
   Color one_surface(const Ray& ray);
-  Color linear(Ray ray, int depth);
+  Color linear(const Ray& ray, int depth);
   /// As linear(), but what is too faint to show is left out.
-  Color linear_to_error(Ray ray, int depth);
+  Color linear_to_error(const Ray& ray, int depth);
   /// Drops the branch of a surface with that `reach` if it is too faint to show.
   void drop_if_faint(std::optional<Branch>& branch, Color reach, int depth, Allowance& allowance);
   /// What may go missing in all from a sample that already sees `seen`.

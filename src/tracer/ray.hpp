@@ -4,6 +4,7 @@
 // from that, never from the size of a computed distance. So no epsilon is needed, at any scale.
 
 #include <cstdint>
+#include <utility>
 
 #include "base/vec.hpp"
 #include "tracer/small_list.hpp"
@@ -18,8 +19,8 @@ struct Contact {
   bool inside = false;    // the ray starts on the side that the normal points away from
   bool in_shape = false;  // the ray starts inside the shape; for all but facets of a mesh the same
   bool left = false;      // the surface that this ray leaves, which it never meets here
-  Vec3 normal;            // outward, unit length, at the start
   bool joined = false;    // one of the facets of a closed mesh that meet here and are crossed as one
+  Vec3 normal;            // outward, unit length, at the start
 };
 using Contacts = SmallList<Contact, 2>;
 
@@ -38,25 +39,29 @@ struct Ray {
 struct Probe {
   Vec3 origin, direction;
   Vec3 inverse;  // 1 / direction, infinite where a component is 0
-  int kx = 0, ky = 1,
-      kz = 2;  // kz: the largest component; kx and ky keep the winding (Woop, Benthin, Wald 2013)
+  /// For facets. kz: the largest component; kx and ky keep the winding (Woop, Benthin, Wald 2013)
+  int kx = 0, ky = 1, kz = 2;
   double shear_x = 0, shear_y = 0;
 
-  Probe(Vec3 origin_in, Vec3 direction_in) : origin(origin_in), direction(direction_in) {
-    inverse = {1 / direction.x, 1 / direction.y, 1 / direction.z};
+  /// Where there are no facets, what they ask for may be left out.
+  Probe(Vec3 origin_in, Vec3 direction_in, bool for_facets = true)
+      : origin(origin_in),
+        direction(direction_in),
+        inverse{1 / direction.x, 1 / direction.y, 1 / direction.z} {
+    if (for_facets) find_shear();
+  }
+  explicit Probe(const Ray& ray, bool for_facets = true) : Probe(ray.origin, ray.direction, for_facets) {}
+
+ private:
+  void find_shear() {
     const Vec3 a{std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)};
     kz = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
     kx = (kz + 1) % 3;
     ky = (kx + 1) % 3;
-    if (direction[kz] < 0) {
-      const int swap = kx;
-      kx = ky;
-      ky = swap;
-    }
+    if (direction[kz] < 0) std::swap(kx, ky);
     shear_x = direction[kx] / direction[kz];
     shear_y = direction[ky] / direction[kz];
   }
-  explicit Probe(const Ray& ray) : Probe(ray.origin, ray.direction) {}
 };
 
 /// Where the line of a ray crosses a surface.

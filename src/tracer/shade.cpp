@@ -17,14 +17,6 @@ Color clamped(Color c) {
   return {std::clamp(c.r, 0.0, 1.0), std::clamp(c.g, 0.0, 1.0), std::clamp(c.b, 0.0, 1.0)};
 }
 
-/// kd max(0, n.l) + ks max(0, n.h)^shininess, for a light in front.
-Color reflected_light(const Surface& surface, Vec3 towards, Vec3 view, double n_dot_l) {
-  Color sum = surface.diffuse * n_dot_l;
-  if (is_black(surface.specular)) return sum;
-  const double n_dot_h = std::fmax(0, dot(surface.normal, normalize(towards + view)));
-  return sum + surface.specular * math::pow(n_dot_h, surface.shininess);
-}
-
 /// A surface that a ray met, for the lights and rays that are asked from there.
 struct Meeting {
   const Tracing& tracing;
@@ -33,52 +25,86 @@ struct Meeting {
   const Surface& surface;
 };
 
-bool is_too_faint(const Asking& asking, Color light, Stats& stats) {
-  if (!asking.allowance || !asking.allowance->takes(asking.share * light)) return false;
-  ++stats.lights_faint;
-  return true;
-}
+/// What a light sends along the ray.
+class LightTerm {
+ public:
+  LightTerm(const Meeting& at, const scene::Light& light)
+      : at_(at),
+        light_(light),
+        from_(bearing(light, at.hit.point)),
+        n_dot_l_(dot(at.surface.normal, from_.towards)) {}
 
-/// The light's whole term without shadows. Nothing where it is known to be black, and need not be asked for
-/// shadows; why is counted.
-std::optional<Color> unshadowed(const Meeting& at, const scene::Light& light, const Bearing& from,
-                                const Asking& asking, Stats& stats) {
-  const Skips skips = at.tracing.plan->skips;
-  const double n_dot_l = dot(at.surface.normal, from.towards);
-  const bool in_front = n_dot_l > 0;
-  if (!in_front && skips.has(Skip::dark_lights)) {
-    ++stats.lights_behind;
-    return std::nullopt;
+  /// Is it known to be black, or too faint to show? Then it need not be asked for shadows; why is counted.
+  bool is_left_out(const Asking& asking, Stats& stats) {
+    const Skips skips = at_.tracing.plan->skips;
+    if (from_.distance == 0) return true;
+    if (!is_in_front() && skips.has(Skip::dark_lights)) {
+      ++stats.lights_behind;
+      return true;
+    }
+    arriving_ = intensity(light_, from_);
+    if (is_black(arriving_) && skips.has(Skip::dark_lights)) {
+      ++stats.lights_outside_cone;
+      return true;
+    }
+    // What spreads is nearly always enough to know that the light is asked for shadows.
+    if (!asking.allowance && is_in_front() && !is_black(arriving_ * spread())) return false;
+    return is_highlight_left_out(asking, stats);
   }
-  const Color arriving = intensity(light, from);
-  if (is_black(arriving) && skips.has(Skip::dark_lights)) {
-    ++stats.lights_outside_cone;
-    return std::nullopt;
+
+  /// Without shadows, of a light that is not left out.
+  Color unshadowed() const { return is_in_front() ? arriving_ * (spread() + highlight()) : Color{}; }
+
+  /// The way to the light.
+  const Bearing& from() const { return from_; }
+
+ private:
+  bool is_in_front() const { return n_dot_l_ > 0; }
+  /// kd n.l
+  Color spread() const { return at_.surface.diffuse * n_dot_l_; }
+  /// ks max(0, n.h)^shininess
+  Color highlight() const {
+    if (is_black(at_.surface.specular)) return {};
+    const double n_dot_h = larger(0, dot(at_.surface.normal, normalize(from_.towards - at_.ray.direction)));
+    return at_.surface.specular * math::pow(n_dot_h, at_.surface.shininess);
   }
-  // Before the highlight is worked out, and with it.
-  const Color most = arriving * (at.surface.diffuse * std::fmax(0, n_dot_l) + at.surface.specular);
-  if (is_too_faint(asking, most, stats)) return std::nullopt;
-  const Color sent =
-      in_front ? arriving * reflected_light(at.surface, from.towards, -at.ray.direction, n_dot_l) : Color{};
-  if (is_black(sent) && in_front && !is_black(arriving) && skips.has(Skip::zero_terms)) {
-    ++stats.lights_unanswered;
-    return std::nullopt;
+
+  [[gnu::noinline]] bool is_highlight_left_out(const Asking& asking, Stats& stats) const {
+    const auto is_faint = [&](Color light) {
+      if (!asking.allowance || !asking.allowance->takes(asking.share * light)) return false;
+      ++stats.lights_faint;
+      return true;
+    };
+    // Before the highlight is worked out, and with it.
+    if (is_faint(arriving_ * (at_.surface.diffuse * larger(0, n_dot_l_) + at_.surface.specular))) return true;
+    const Color sent = unshadowed();
+    if (is_black(sent) && is_in_front() && !is_black(arriving_) &&
+        at_.tracing.plan->skips.has(Skip::zero_terms)) {
+      ++stats.lights_unanswered;
+      return true;
+    }
+    return is_faint(sent);
   }
-  if (is_too_faint(asking, sent, stats)) return std::nullopt;
-  return sent;
-}
+
+  const Meeting& at_;
+  const scene::Light& light_;
+  Bearing from_;
+  double n_dot_l_;
+  Color arriving_;
+};
 
 Color from_light(const Meeting& at, const scene::Light& light, const Asking& asking, Stats& stats) {
   const Plan& plan = *at.tracing.plan;
-  const Bearing from = bearing(light, at.hit.point);
-  if (from.distance == 0) return {};
-  const std::optional<Color> sent = unshadowed(at, light, from, asking, stats);
-  if (!sent) return {};
-  if (plan.shadows == ShadowWork::none) return *sent;
+  LightTerm term(at, light);
+  if (term.is_left_out(asking, stats)) return {};
+  if (plan.shadows == ShadowWork::none) return term.unshadowed();
   const World& world = *at.tracing.world;
-  const Ray shadow_ray = ray_from(world, at.hit, from.towards);
-  const Color through = light_through(world, plan.shadows, shadow_ray, from.distance, stats, plan.any_hit);
-  return is_black(*sent) ? Color{} : through * *sent;
+  const Ray shadow_ray = ray_from(world, at.hit, term.from().towards);
+  const Color through =
+      light_through(world, plan.shadows, shadow_ray, term.from().distance, stats, plan.any_hit);
+  if (is_black(through)) return {};
+  const Color sent = term.unshadowed();
+  return is_black(sent) ? Color{} : through * sent;
 }
 
 void ask_lights(const Meeting& at, const Asking& asking, Joined& sum, Stats& stats) {
@@ -96,21 +122,22 @@ void ask_lights(const Meeting& at, const Asking& asking, Joined& sum, Stats& sta
   for (std::size_t i = 0; i < count && !at.tracing.cancelled(); ++i) ask(all[some ? (*some)[i] : i]);
 }
 
-/// The solids that a ray from the hit is inside of. A ray that only touches a sphere or box goes on outside,
-/// whichever way rounding has it.
-OpenSolids open_after(const Tracing& tracing, const Hit& hit, Vec3 direction, OpenSolids open, Stats& stats) {
-  const World& world = *tracing.world;
-  if (!tracing.plan->media || !is_convex_solid(world.primitives[hit.primitive].kind)) return open;
+/// A ray from the hit, where rays that have not turned off are inside of the solids `open`. A ray that only
+/// touches a sphere or box goes on outside, whichever way rounding has it.
+void branch_off(const Meeting& at, Vec3 direction, Color share, const OpenSolids& open,
+                std::optional<Branch>& out, Stats& stats) {
+  const World& world = *at.tracing.world;
+  Branch& branch = out.emplace();
+  restart(world, at.hit, direction, branch.ray);
+  branch.share = share;
+  branch.ray.open = open;
+  if (!at.tracing.plan->media || !is_convex_solid(world.primitives[at.hit.primitive].kind)) return;
   ++stats.medium_changes;
-  cross(world, open, hit.shape, dot(hit.normal, direction) < 0);
-  return open;
+  cross(world, branch.ray.open, at.hit.shape, dot(at.hit.normal, direction) < 0);
 }
 
-Branch reflection(const Meeting& at, Color share, Stats& stats) {
-  const Vec3 direction = mirrored(at.ray.direction, at.surface.normal);
-  Branch branch{ray_from(*at.tracing.world, at.hit, direction), share, {}};
-  branch.ray.open = open_after(at.tracing, at.hit, direction, at.ray.open, stats);
-  return branch;
+void reflect(const Meeting& at, Color share, std::optional<Branch>& out, Stats& stats) {
+  branch_off(at, mirrored(at.ray.direction, at.surface.normal), share, at.ray.open, out, stats);
 }
 
 /// The two directions in which light goes on, and what of it.
@@ -136,27 +163,22 @@ void add_branches(const Meeting& at, Shaded& out, Stats& stats) {
     }
     const std::optional<Vec3> direction = refracted(ray.direction, surface.normal, from, to);
     if (!direction) {
-      out.reflected = reflection(at, mirror_share, stats);
+      reflect(at, mirror_share, out.reflected, stats);
       out.reflected->also = through_share;
       return;
     }
     if (!is_black(through_share)) {
-      out.transmitted = Branch{ray_from(world, hit, *direction), through_share, {}};
-      out.transmitted->ray.open = open_after(tracing, hit, *direction, beyond, stats);
+      branch_off(at, *direction, through_share, beyond, out.transmitted, stats);
     }
   }
-  if (!is_black(mirror_share)) out.reflected = reflection(at, mirror_share, stats);
+  if (!is_black(mirror_share)) reflect(at, mirror_share, out.reflected, stats);
 }
 
 }  // namespace
 
-void Joined::add(Color term) {
-  if (how_ == scene::Sum::linear) {
-    value_ += term;
-  } else {
-    const Color t = clamped(term);
-    value_ = value_ + t * (grey(1) - value_);
-  }
+void Joined::add_clamped(Color term) {
+  const Color t = clamped(term);
+  value_ = value_ + t * (grey(1) - value_);
 }
 
 bool Joined::is_full() const { return how_ == scene::Sum::log && value_ == grey(1); }
@@ -168,7 +190,7 @@ Shaded shade(const Tracing& tracing, const Ray& ray, const Hit& hit, bool follow
   const MaterialNeeds& needs = plan.needs_of(scene.shapes[hit.shape].material);
   const Surface surface = surface_at(*tracing.world, needs, ray, hit, follow, stats);
   const Meeting at{tracing, ray, hit, surface};
-  Shaded out{Joined(scene.settings.sum), {}, {}};
+  Shaded out(scene.settings.sum);
   out.own.add(surface.ambient * scene.settings.ambient);
   if (needs.direct) {
     ask_lights(at, asking, out.own, stats);

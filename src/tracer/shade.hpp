@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <optional>
+#include <utility>
 
 #include "tracer/faint.hpp"
 #include "tracer/intersect.hpp"
@@ -16,12 +17,20 @@ namespace lancer::tracer {
 class Joined {
  public:
   explicit Joined(scene::Sum how) : how_(how) {}
-  void add(Color term);
+  void add(Color term) {
+    if (how_ == scene::Sum::linear) {
+      value_ += term;
+    } else {
+      add_clamped(term);
+    }
+  }
   Color value() const { return value_; }
   /// Nothing that comes on top changes the value any more.
   bool is_full() const;
 
  private:
+  void add_clamped(Color term);
+
   scene::Sum how_;
   Color value_;
 };
@@ -37,6 +46,8 @@ struct Branch {
 struct Shaded {
   Joined own;
   std::optional<Branch> reflected, transmitted;
+
+  explicit Shaded(scene::Sum how) : own(how) {}
 };
 
 /// What everything that follows rays through a scene shares.

@@ -4,6 +4,7 @@
 #include <span>
 #include <tuple>
 
+#include "tracer/crossings.hpp"
 #include "tracer/pattern.hpp"
 
 namespace lancer::tracer {
@@ -71,7 +72,7 @@ Color filtered(const World& world, const Ray& ray, double distance, Stats& stats
     return blocked && any_hit;
   });
   if (blocked) return {};
-  std::sort(list.begin(), list.end(), comes_first);
+  if (list.size() > 1) std::sort(list.begin(), list.end(), comes_first);
   Color through = grey(1);
   for (const Crossing& crossing : joined(world, list)) through = through * transmission(world, ray, crossing);
   return through;

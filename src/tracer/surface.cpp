@@ -25,6 +25,7 @@ bool corner_normals(const World& world, const Hit& hit, std::array<Vec3, 3>& nor
 
 Vec3 shading_normal(const World& world, const Ray& ray, const Hit& hit) {
   const Vec3 flat = hit.root.entering ? hit.normal : -hit.normal;
+  if (world.primitives[hit.primitive].kind != Kind::facet) return flat;
   std::array<Vec3, 3> corners;
   if (!corner_normals(world, hit, corners)) return flat;
   const Barycentric weight = barycentric(world.facets[world.primitives[hit.primitive].record], hit.point);

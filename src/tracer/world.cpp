@@ -23,7 +23,10 @@ World prepare(const scene::Scene& scene, Vec3 origin, const std::atomic<bool>* c
   world.first_primitive.push_back(static_cast<std::uint32_t>(world.primitives.size()));
 
   for (std::uint32_t primitive = 0; primitive < world.primitives.size(); ++primitive) {
-    if (!with_tree || world.primitives[primitive].kind == Kind::plane) {
+    const Primitive& p = world.primitives[primitive];
+    if (!with_tree && p.kind == Kind::sphere) {
+      world.listed_spheres.add(world.spheres[p.record], primitive);
+    } else if (!with_tree || p.kind == Kind::plane) {
       world.unbounded.push_back(primitive);
     } else {
       world.bounded.push_back(primitive);
@@ -65,14 +68,13 @@ Roots facet_roots(const World& world, const Primitive& p, const Probe& probe) {
 
 }  // namespace
 
-Roots roots(const World& world, std::uint32_t primitive, const Probe& probe) {
-  const Primitive p = world.primitives[primitive];
+Roots other_roots(const World& world, const Primitive& p, const Probe& probe) {
   switch (p.kind) {
-    case Kind::sphere: return roots(world.spheres[p.record], probe);
     case Kind::ellipsoid: return roots(world.ellipsoids[p.record], probe);
-    case Kind::plane: return roots(world.planes[p.record], probe);
     case Kind::box: return roots(world.boxes[p.record], probe);
     case Kind::facet: return facet_roots(world, p, probe);
+    case Kind::sphere:
+    case Kind::plane: break;
   }
   return {};
 }
@@ -135,18 +137,6 @@ double slack(const World& world, std::uint32_t primitive) {
     case Kind::facet: return world.facets[p.record].slack;
   }
   return 0;
-}
-
-Aabb bounds(const World& world, std::uint32_t primitive) {
-  const Primitive p = world.primitives[primitive];
-  switch (p.kind) {
-    case Kind::sphere: return bounds(world.spheres[p.record]);
-    case Kind::ellipsoid: return bounds(world.ellipsoids[p.record]);
-    case Kind::box: return bounds(world.boxes[p.record]);
-    case Kind::facet: return bounds(world.facets[p.record]);
-    case Kind::plane: break;
-  }
-  return {};
 }
 
 double side(const World& world, std::uint32_t shape, Vec3 at) {

@@ -34,6 +34,30 @@ TEST_CASE("vec: unit vectors of any size", "[vec]") {
   }
 }
 
+TEST_CASE("vec: with and without a power of two taken out, the same bits", "[vec]") {
+  for (int i = 0; i < 2000; ++i) {
+    // Any mantissas; the components up to 2^60 apart, the squares within the bounds of the plain way.
+    const auto part = [&](int k) {
+      return std::scalbn(1 + std::fmod(i * 0.618 * k, 1.0), (i * k * 7) % 61 - 30);
+    };
+    const Vec3 v = times_power_of_two(Vec3{part(1), -part(2), part(3)}, i % 700 - 350);
+    REQUIRE(is_safe_square(dot(v, v)));
+    REQUIRE(length(v) == scaled_length(v));
+    REQUIRE(normalize(v) == scaled_normalize(v));
+  }
+  CHECK_FALSE(is_safe_square(0));
+  CHECK_FALSE(is_safe_square(std::numeric_limits<double>::infinity()));
+  CHECK_FALSE(is_safe_square(std::nan("")));
+}
+
+TEST_CASE("vec: the larger of a number and NaN is the number", "[vec]") {
+  CHECK(larger(1, 2) == 2);
+  CHECK(larger(2, 1) == 2);
+  CHECK(larger(1, std::nan("")) == 1);
+  CHECK(larger(std::nan(""), 1) == 1);
+  CHECK(std::isnan(larger(std::nan(""), std::nan(""))));
+}
+
 TEST_CASE("vec: what is beyond numbers has no direction and an infinite length", "[vec]") {
   const double infinite = std::numeric_limits<double>::infinity();
   CHECK(lancer::length({infinite, 0, 0}) == infinite);

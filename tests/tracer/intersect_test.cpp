@@ -2,6 +2,7 @@
 
 #include "build.hpp"
 #include "catch.hpp"
+#include "tracer/crossings.hpp"
 #include "tracer/shadow.hpp"
 
 using namespace lancer;

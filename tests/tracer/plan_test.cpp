@@ -190,10 +190,19 @@ TEST_CASE("plan: black lights are not asked", "[plan]") {
 
 TEST_CASE("plan: few things are asked one by one", "[plan]") {
   Scene s;
-  for (std::uint64_t i = 0; i < k_longest_list; ++i) add_sphere(s, {3.0 * static_cast<double>(i), 0, 0}, 1);
+  const auto add_spheres = [&](std::uint64_t count) {
+    for (std::uint64_t i = 0; i < count; ++i) add_sphere(s, {3.0 * static_cast<double>(i), 0, 0}, 1);
+  };
+  add_spheres(k_longest_list_of_spheres);
   CHECK_FALSE(planned(s).tree);
   CHECK(planned(s, Skips::all().without(Skip::tree)).tree);
   add_sphere(s, {0, 5, 0}, 1);
+  CHECK(planned(s).tree);
+  s = Scene{};
+  add_spheres(k_longest_list - 1);
+  add_box(s, {0, 5, 0}, {1, 6, 1});
+  CHECK_FALSE(planned(s).tree);
+  add_sphere(s, {0, 9, 0}, 1);
   CHECK(planned(s).tree);
   s = Scene{};
   add_mesh(s, cube_mesh(true));  // of 12 facets

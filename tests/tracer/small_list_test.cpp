@@ -36,3 +36,34 @@ TEST_CASE("small list: it may take one of its own elements", "[small_list]") {
   list.push_back(list[0]);
   CHECK(list[2] == 7);
 }
+
+TEST_CASE("small list: copied and moved, short and long", "[small_list]") {
+  for (const int count : {0, 1, 2, 3, 9}) {
+    CAPTURE(count);
+    SmallList<int, 2> list;
+    for (int i = 0; i < count; ++i) list.push_back(i);
+    const auto is_whole = [&](const SmallList<int, 2>& l) {
+      for (int i = 0; i < count; ++i) {
+        if (l[static_cast<std::size_t>(i)] != i) return false;
+      }
+      return l.size() == static_cast<std::size_t>(count);
+    };
+    for (const int before : {0, 1, 5}) {
+      SmallList<int, 2> other;
+      for (int i = 0; i < before; ++i) other.push_back(-1);
+      other = list;
+      CHECK(is_whole(other));
+      SmallList<int, 2> taken;
+      for (int i = 0; i < before; ++i) taken.push_back(-1);
+      taken = std::move(other);
+      CHECK(is_whole(taken));
+      other.clear();
+      other.push_back(7);  // what was moved from can be used again
+      CHECK(other[0] == 7);
+    }
+    const SmallList<int, 2> copy(list);
+    CHECK(is_whole(copy));
+    list.push_back(5);
+    CHECK(is_whole(copy));
+  }
+}

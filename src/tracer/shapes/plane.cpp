@@ -37,18 +37,6 @@ Roots roots_with(const PlanePrimitive& plane, Bounded slope, Bounded depth, doub
   return {1, {root, {}}};
 }
 
-/// Where the plane lies across an axis, every sign is certain.
-Roots roots_across(const PlanePrimitive& plane, const Probe& probe, double height, double distance) {
-  if (probe.direction[plane.across] == 0) return {};
-  const double inverse = probe.inverse[plane.across];
-  const double t = -height * inverse, steep = std::fabs(inverse);
-  const double slack = plane.slack + plane.normal_error * (distance + 2 * std::fabs(t));
-  const bool entering = std::signbit(inverse) != std::signbit(plane.normal[plane.across]);
-  if (!std::isfinite(t)) return {};
-  return {1,
-          {Root{t, slack * steep + 4 * k_u * std::fabs(t), entering, plane.normal_error * steep > 0.5}, {}}};
-}
-
 /// For the few rays that start all but in the plane, or run all but along it.
 [[gnu::noinline, gnu::cold]] Roots close_roots(const PlanePrimitive& plane, const Probe& probe,
                                                double distance) {
@@ -61,10 +49,9 @@ Roots roots_across(const PlanePrimitive& plane, const Probe& probe, double heigh
 
 }  // namespace
 
-Roots roots(const PlanePrimitive& plane, const Probe& probe) {
+Roots tilted_roots(const PlanePrimitive& plane, const Probe& probe) {
   const Vec3 offset = probe.origin - plane.point;
   const double distance = sum_abs(offset);
-  if (plane.across >= 0) return roots_across(plane, probe, offset[plane.across], distance);
   const Bounded slope{dot(plane.normal, probe.direction), 3 * k_u * plane.size};
   const Bounded depth{plane.level - dot(plane.normal, offset),
                       5 * k_u * (plane.size * distance + std::fabs(plane.level))};

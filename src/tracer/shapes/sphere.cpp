@@ -21,25 +21,7 @@ void set_slack(const SpherePrimitive& sphere, double half_chord, Landing& landin
 
 }  // namespace
 
-Roots roots(const SpherePrimitive& sphere, const Probe& probe) {
-  const double r = sphere.radius;
-  const Vec3 f = probe.origin - sphere.center;
-  const double b = -dot(f, probe.direction);
-  const Vec3 from_axis = f + probe.direction * b;
-  const double discriminant = r * r - dot(from_axis, from_axis);
-  const double reach = sum_abs(f);
-  const double lost = 20 * k_u * reach;  // bounds the error of from_axis
-  const double doubt = 2 * lost * (sum_abs(from_axis) + lost) + 4 * k_u * r * r;
-  if (discriminant < -doubt) return {};
-  if (discriminant > doubt) {
-    const double half_chord = std::sqrt(discriminant);
-    const double near = b - half_chord, far = b + half_chord;
-    const double lateral = (sphere.slack * r + doubt) / half_chord;
-    const double error = sphere.slack + lateral + 18 * k_u * (reach + r);
-    if (std::fabs(near) > error && std::fabs(far) > error) {
-      return {2, {Root{near, error, true}, Root{far, error, false}}};
-    }
-  }
+Roots careful_roots(const SpherePrimitive& sphere, const Probe& probe) {
   return careful_landings(sphere, probe.origin, probe.direction, Detail::distances).roots();
 }
 
@@ -68,11 +50,6 @@ Vec3 normal(const SpherePrimitive& sphere, Vec3 p) { return normalize(p - sphere
 
 Vec3 project(const SpherePrimitive& sphere, Vec3 p) {
   return sphere.center + normalize(p - sphere.center) * sphere.radius;
-}
-
-Aabb bounds(const SpherePrimitive& sphere) {
-  const Vec3 half{sphere.radius, sphere.radius, sphere.radius};
-  return Aabb{sphere.center - half, sphere.center + half}.padded(sphere.slack);
 }
 
 double side(const SpherePrimitive& sphere, Vec3 p) {

@@ -30,18 +30,24 @@ class Slabs8 {
     scale_ = frame.inverse_scale;
     start_ = splat(static_cast<float>(-far));
     later_ = far;
+    // The three axes at once; the fourth number is of no matter.
+    const Doubles o{origin.x, origin.y, origin.z, 0};
+    Doubles inverse{probe.inverse.x, probe.inverse.y, probe.inverse.z, 1};
+    inverse = inverse < -k_steepest ? all(-k_steepest) : inverse;
+    const Quad i = __builtin_convertvector(inverse > k_steepest ? all(k_steepest) : inverse, Quad);
+    const Doubles wide = __builtin_convertvector(i, Doubles);
+    const Doubles at = -o * wide;
+    const Doubles slack = ((0.5 + abs(o)) * k_slack + far) * abs(wide);
+    const Doubles nearest = at - slack, farthest = at + slack;
+    const Quad near = __builtin_convertvector(nearest < -k_huge ? all(-k_huge) : nearest, Quad);
+    const Quad far_side = __builtin_convertvector(farthest > k_huge ? all(k_huge) : farthest, Quad);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double o = origin[static_cast<int>(axis)];
-      const double inverse = std::clamp(probe.inverse[static_cast<int>(axis)], -k_steepest, k_steepest);
-      const auto i = static_cast<float>(inverse);
-      const double at = -o * static_cast<double>(i);
-      const double slack = ((0.5 + std::fabs(o)) * k_slack + far) * std::fabs(static_cast<double>(i));
-      const std::size_t upper = std::signbit(i) ? 1 : 0;
+      const std::size_t upper = std::signbit(i[axis]) ? 1 : 0;
       near_side_[axis] = 2 * axis + upper;
       far_side_[axis] = 2 * axis + 1 - upper;
-      inverse_[axis] = splat(i);
-      near_[axis] = splat(static_cast<float>(std::max(at - slack, -k_huge)));
-      far_[axis] = splat(static_cast<float>(std::min(at + slack, k_huge)));
+      inverse_[axis] = splat(i[axis]);
+      near_[axis] = splat(near[axis]);
+      far_[axis] = splat(far_side[axis]);
     }
   }
 
@@ -65,6 +71,14 @@ class Slabs8 {
   }
 
  private:
+  using Doubles [[gnu::vector_size(32)]] = double;
+  using Quad [[gnu::vector_size(16)]] = float;
+
+  LANCER_INLINE static Doubles all(double v) { return Doubles{v, v, v, v}; }
+  LANCER_INLINE static Doubles abs(Doubles v) {
+    return Doubles{std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2]), std::fabs(v[3])};
+  }
+
   static constexpr double k_slack = 0x1p-22;
   static constexpr double k_steepest = 0x1p60;
   static constexpr double k_huge = 0x1p120;
