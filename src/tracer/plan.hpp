@@ -59,6 +59,7 @@ struct Plan {
   bool reflects = true;              // some surface may send a ray back
   bool transmits = true;             // some surface may let one through
   bool media = true;                 // a ray's open solids matter
+  bool packets = false;              // rays of neighbouring pixels are traced together
   bool tree = true;                  // a tree over the primitives, in place of a list
   bool every_light = true;           // else only `lights`
   std::vector<scene::Index> lights;  // that may reach something, in order
@@ -85,5 +86,7 @@ std::string in_words(const scene::Scene& scene, const Decision& decision);
 
 /// Up to this many primitives a list is asked faster than a tree.
 inline constexpr std::uint64_t k_longest_list = 4;
+/// The same of rays that go together.
+inline constexpr std::uint64_t k_longest_packet_list = 16;
 
 }  // namespace lancer::tracer

@@ -28,11 +28,16 @@ Color Tracer::one_surface(const Ray& ray) {
   return shade(tracing_, ray, hit, false, stats_, {grey(1), nullptr, cells()}).own.value();
 }
 
-Color Tracer::linear(Ray first, int depth) {
-  const scene::Settings& settings = tracing_.world->scene->settings;
+Color Tracer::linear(Ray ray, int depth) {
   Color sum;
+  follow(std::move(ray), grey(1), depth, sum);
+  return sum;
+}
+
+void Tracer::follow(Ray first, Color first_share, int depth, Color& sum) {
+  const scene::Settings& settings = tracing_.world->scene->settings;
   pending_.clear();
-  pending_.push_back({std::move(first), grey(1), depth});
+  pending_.push_back({std::move(first), first_share, depth});
   Hit hit;
   while (!pending_.empty() && !tracing_.cancelled()) {
     const Pending now = std::move(pending_.back());
@@ -43,17 +48,16 @@ Color Tracer::linear(Ray first, int depth) {
     }
     Shaded shaded = shade(tracing_, now.ray, hit, now.depth > 0, stats_, {grey(1), nullptr, cells()});
     sum += now.share * shaded.own.value();
-    const auto follow = [&](std::optional<Branch>& branch, std::uint64_t& count) {
+    const auto go_on = [&](std::optional<Branch>& branch, std::uint64_t& count) {
       if (!branch) return;
       const Color share = now.share * (branch->share + branch->also);
       if (is_black(share)) return;
       ++count;
       pending_.push_back({std::move(branch->ray), share, now.depth - 1});
     };
-    follow(shaded.reflected, stats_.reflected_rays);
-    follow(shaded.transmitted, stats_.refracted_rays);
+    go_on(shaded.reflected, stats_.reflected_rays);
+    go_on(shaded.transmitted, stats_.refracted_rays);
   }
-  return sum;
 }
 
 Color Tracer::allowance(Color seen) const {

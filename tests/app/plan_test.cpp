@@ -58,6 +58,7 @@ needed
   media        lists of the solids that a ray is inside of, as `ball` may bend light
   recursion    rays that go on from a surface, as `ball` may reflect or let light through
   shadow-rays  shadow rays, as `ball` and plane 1 may stand between a light and a surface
+  single-rays  tracing each ray by itself, as `ball` may let light through
 
 not needed, and done all the same for --no-skip
   tree         a tree of boxes, as 2 things are asked one by one
@@ -76,7 +77,7 @@ TEST_CASE("plan: of the view, size and variables that are asked for, as JSON", "
   CHECK(report["primary_rays"] == 10 * 4 * 3);
   CHECK(report["structure"] == "list");
   CHECK(report["shapes"]["plane"] == 1);
-  CHECK(report["skips"].size() == 10);
+  CHECK(report["skips"].size() == 11);
   CHECK(skip(report, "media")["verdict"] == "skipped");
   CHECK(skip(report, "media")["why"] == "all refractive indices are the same");
   CHECK(skip(report, "recursion")["verdict"] == "needed");

@@ -1,0 +1,29 @@
+#pragma once
+// A world as packets of rays read it.
+
+#include <vector>
+
+#include "tracer/intersect.hpp"
+#include "tracer/packet/wave.hpp"
+
+namespace lancer::tracer {
+
+/// What kernels read, and who owns it. The world must outlive it.
+class PacketWorld {
+ public:
+  explicit PacketWorld(const World& world);
+  PacketWorld(const PacketWorld&) = delete;
+  PacketWorld& operator=(const PacketWorld&) = delete;
+
+  const Scenery& scenery() const { return scenery_; }
+
+ private:
+  Scenery scenery_;
+  std::vector<std::uint8_t> casts_;
+};
+
+/// Finishes a hit on a surface without a kernel, the only candidate of the ray: as closest() does. False
+/// where there is more to it.
+bool land_alone(const World& world, const Ray& ray, std::uint32_t primitive, Hit& hit);
+
+}  // namespace lancer::tracer
