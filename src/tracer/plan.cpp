@@ -275,7 +275,7 @@ void Planner::plan_patterns() {
   }
 }
 
-/// Rays of neighbouring pixels go together where each surface sends on one ray at the most, and where what a
+/// Rays of neighbouring pixels go together until they meet a surface that may send on two, and where what a
 /// ray does does not depend on what others of its pixel brought.
 void Planner::plan_packets() {
   const Things clear = shapes_with([](auto& w, auto& t) { return t.transmission ? w.any : k_none; });
@@ -284,16 +284,17 @@ void Planner::plan_packets() {
   };
   if (scene_.settings.sum != scene::Sum::linear) {
     by_itself("the sum of terms is not linear");
-  } else if (out_.transmits) {
-    by_itself("{} may let light through", clear);
-  } else if (out_.media) {
-    by_itself("rays may be inside solids");
+  } else if (out_.media && view_.projection == scene::Projection::orthographic) {
+    by_itself("each ray starts in solids of its own");
   } else if (out_.faint_rays || out_.faint_lights) {
     by_itself("what is too faint to show is left out, ray by ray");
   } else if (out_.light_cells.used) {
     by_itself("lights are looked up by place");
   } else if (!may(Skip::dark_lights) || !may(Skip::zero_terms)) {
     by_itself("lights are asked even where they are dark");
+  } else if (out_.transmits) {
+    out_.packets = leave_out(Skip::single_rays, "until it meets {}, where light may go on in two ways", clear,
+                             Thing::Kind::shape, Verdict::as_met);
   } else {
     out_.packets = leave_out(Skip::single_rays, "rays of neighbouring pixels are traced together");
   }
@@ -301,7 +302,8 @@ void Planner::plan_packets() {
 
 void Planner::plan_tree() {
   const std::string many = std::to_string(has_.primitives);
-  if (has_.primitives > (out_.packets ? k_longest_packet_list : k_longest_list)) {
+  const bool all_together = out_.packets && !out_.transmits;
+  if (has_.primitives > (all_together ? k_longest_packet_list : k_longest_list)) {
     decide(Skip::tree, Verdict::needed, many + " things are more than a list is good for");
   } else {
     out_.tree = !leave_out(Skip::tree, many + " things are asked one by one");

@@ -86,7 +86,7 @@ std::string in_words(const scene::Scene& scene, const Decision& decision);
 
 /// Up to this many primitives a list is asked faster than a tree.
 inline constexpr std::uint64_t k_longest_list = 4;
-/// The same of rays that go together.
+/// The same where all rays go together.
 inline constexpr std::uint64_t k_longest_packet_list = 16;
 
 }  // namespace lancer::tracer

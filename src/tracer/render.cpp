@@ -235,13 +235,14 @@ Rendered render(const scene::Scene& scene, const scene::View& view, const Option
           options.samples,
           {},
           {}};
-  if (needed.packets) job.packets.emplace(world);
   if (options.region) {
     const Region& r = *options.region;
     job.region = {std::clamp(r.x0, 0, columns), std::clamp(r.y0, 0, rows), std::clamp(r.x1, 0, columns),
                   std::clamp(r.y1, 0, rows)};
   }
   if (needed.media && job.camera.has_one_origin()) job.around_eye = solids_around(world, job.camera.eye());
+  // Rays that go together start in no solid whose medium matters.
+  if (needed.packets && job.around_eye.empty()) job.packets.emplace(world, needed.shadows);
   out.stats.build_seconds = seconds_since(build_start);
 
   const auto render_start = std::chrono::steady_clock::now();

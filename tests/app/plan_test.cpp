@@ -49,6 +49,7 @@ left out
 
 left out where met
   dark-lights  shadow rays to lights that are black, behind the surface or aimed elsewhere
+  single-rays  tracing each ray by itself (until it meets `ball`, where light may go on in two ways)
   zero-terms   lights at points that send none of them back
 
 needed
@@ -58,7 +59,6 @@ needed
   media        lists of the solids that a ray is inside of, as `ball` may bend light
   recursion    rays that go on from a surface, as `ball` may reflect or let light through
   shadow-rays  shadow rays, as `ball` and plane 1 may stand between a light and a surface
-  single-rays  tracing each ray by itself, as `ball` may let light through
 
 not needed, and done all the same for --no-skip
   tree         a tree of boxes, as 2 things are asked one by one

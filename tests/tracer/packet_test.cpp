@@ -29,6 +29,8 @@ Stats check_same(const Scene& s, const scene::View& v, int samples = 1) {
   CHECK(together.stats.primary_rays == alone.stats.primary_rays);
   CHECK(together.stats.reflected_rays == alone.stats.reflected_rays);
   CHECK(together.stats.shadow_rays == alone.stats.shadow_rays);
+  CHECK(together.stats.refracted_rays == alone.stats.refracted_rays);
+  CHECK(together.stats.medium_changes == alone.stats.medium_changes);
   CHECK(together.stats.branchings == alone.stats.branchings);
   CHECK(together.stats.pattern_lookups == alone.stats.pattern_lookups);
   CHECK(together.stats.lights_behind == alone.stats.lights_behind);
@@ -37,16 +39,17 @@ Stats check_same(const Scene& s, const scene::View& v, int samples = 1) {
   return together.stats;
 }
 
-/// A scene by lot in which rays can go together.
-Scene opaque_scene(std::uint64_t seed) {
+/// A scene by lot in which rays can go together; half of them lets no light through.
+Scene some_scene(std::uint64_t seed) {
   Scene s = random_scene(seed);
   s.settings.sum = scene::Sum::linear;
-  for (scene::Material& m : s.materials) m.transmission = {};
+  if (seed % 2 == 0) {
+    for (scene::Material& m : s.materials) m.transmission = {};
+  }
   std::erase_if(s.lights, [](const scene::Light& l) { return l.kind == scene::LightKind::spot; });
   return s;
 }
 
-/// No mesh around the eye: then rays know the solids that they are in.
 bool goes_together(const Scene& s, const scene::View& v) { return plan(s, v, {}).packets; }
 
 Material shiny(Color color) {
@@ -83,15 +86,15 @@ scene::View towards(Vec3 eye, Vec3 middle, int n) { return view(eye, middle - ey
 
 TEST_CASE("packet: scenes by lot are the same, together or alone", "[packet]") {
   int drawn = 0;
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
-    const Scene s = opaque_scene(seed);
+  for (std::uint64_t seed = 1; seed <= 240; ++seed) {
+    const Scene s = some_scene(seed);
     const scene::View v = random_view(seed, 37, 21);
     if (!goes_together(s, v)) continue;
     INFO("seed " << seed);
     check_same(s, v, 1 + static_cast<int>(seed % 3));
     ++drawn;
   }
-  CHECK(drawn > 100);
+  CHECK(drawn > 180);
 }
 
 TEST_CASE("packet: few and many things, near and far, small and large", "[packet]") {
@@ -170,7 +173,23 @@ TEST_CASE("packet: parts of a picture are those of the whole, on any number of t
   CHECK(same);
 }
 
-TEST_CASE("packet: glass, log sums, errors asked for and the eye in a mesh go ray by ray", "[packet]") {
+TEST_CASE("packet: rays go together up to glass, and by filtered shadows", "[packet]") {
+  check_same(still_life(), view({0, 0.5, 6}, {0, -0.1, -1}, 70), 2);
+  check_same(still_life(), view({0, 0, 0.2}, {0, 0, 1}, 40));  // from within glass: one by one after all
+  Scene s = balls_and_floor(40, 1);
+  for (std::size_t i = 4; i < 30; i += 3) {
+    s.materials[i].transmission.color = {0.3, 0.5, 0.2};
+    s.materials[i].ior = 1.4;
+  }
+  const Stats stats = check_same(s, towards({0.5, 2, 6}, {}, 90));
+  CHECK(stats.refracted_rays > 1000);
+  s.settings.shadows = scene::Shadows::opaque;
+  check_same(s, towards({0.5, 2, 6}, {}, 60));
+  for (scene::Material& m : s.materials) m.ior = 1;
+  check_same(s, towards({0.5, 2, 6}, {}, 60));
+}
+
+TEST_CASE("packet: log sums and errors that are asked for go ray by ray", "[packet]") {
   const scene::View v = view({0, 0, 6}, {0, 0, -1});
   Scene s = balls_and_floor(3, 1);
   CHECK(plan(s, v, {}).packets);
@@ -180,14 +199,14 @@ TEST_CASE("packet: glass, log sums, errors asked for and the eye in a mesh go ra
   options = {};
   options.skips = Skips::all().without(Skip::dark_lights);
   CHECK_FALSE(plan(s, v, options).packets);
-  Scene glass = s;
-  glass.materials[2].transmission.color = grey(0.5);
-  CHECK_FALSE(plan(glass, v, {}).packets);
   Scene log = s;
   log.settings.sum = scene::Sum::log;
   CHECK_FALSE(plan(log, v, {}).packets);
-  add_mesh(s, cube_mesh(true), matt(0.5), translation({0, 0, 6}));
-  CHECK_FALSE(plan(s, v, {}).packets);
+  add_box(s, {}, {1, 1, 1}, clear(0.5, 1.5));
+  scene::View parallel = v;
+  CHECK(plan(s, parallel, {}).packets);
+  parallel.projection = scene::Projection::orthographic;
+  CHECK_FALSE(plan(s, parallel, {}).packets);
 }
 
 TEST_CASE("packet: powers are those of single numbers", "[packet]") {
@@ -228,7 +247,7 @@ TEST_CASE("packet: with AVX2 and without, the same bits and the same work", "[pa
   for (const int count : {30, 300}) {
     const Scene s = balls_and_floor(count, 1);
     const World world = prepare(s);
-    const PacketWorld packets(world);
+    const PacketWorld packets(world, ShadowWork::blocked);
     Random random(3);
     for (std::size_t i = 0; i < k_wave; ++i) {
       room->origin.set(i, {0, 2, 6});

@@ -177,12 +177,23 @@ struct LoneBlocked : Lone {
   LANCER_INLINE LoneBlocked(const Scenery& s, const ShadowsView& view, std::size_t i, Work& w)
       : Lone(s, view.rays, i, w), distance(lanes((*view.distance)[i])) {}
 
-  LANCER_INLINE bool ignores(std::uint32_t primitive) const { return scenery.casts[primitive] == 0; }
+  LANCER_INLINE bool ignores(std::uint32_t primitive) const {
+    return scenery.shade[primitive] == Shade::none;
+  }
   LANCER_INLINE bool is_over() const { return any(blocked); }
   LANCER_INLINE double limit() const { return distance[0]; }
   template <class Surface>
-  LANCER_INLINE void take(const Surface& surface, Mask, Crossings& c) {
-    blocked |= surely_before(surface, probes, distance, c);
+  LANCER_INLINE void take(const Surface& surface, Mask ids, Crossings& c) {
+    Mask filtered = masks(0);
+    for (int i = 0; i < 4; ++i) {
+      // One that lets light through is no answer here.
+      if (scenery.shade[ids[i]] == Shade::filtered) filtered[i] = -1;
+    }
+    const Mask met = c.met;
+    c.met &= ~filtered;
+    blocked |= surely_black(Shade::black, surface, probes, distance, c);
+    c.met = met & filtered;
+    surely_black(Shade::filtered, surface, probes, distance, c);
     doubt |= c.doubt;
   }
   LANCER_INLINE void ask_leaf(const std::uint32_t* item) { ask_items(*this, item); }

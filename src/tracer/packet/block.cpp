@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/media.hpp"
 #include "tracer/optics.hpp"
 
 namespace lancer::tracer {
@@ -114,8 +115,12 @@ void BlockTracer::land(int depth) {
     hits.point.set(i, hit.point);
     hits.normal.set(i, hit.normal);
   }
+  const auto splits = [&](std::size_t i) {
+    const Plan& plan = *tracing_.plan;
+    return depth > 0 && plan.recursion && packets_.splits(hits.primitive[i]);
+  };
   for (std::size_t i = 0; i < hits.count; ++i) {
-    if (hits.there[i] == 0 || hits.settled[i] != 0) continue;
+    if (hits.there[i] == 0 || (hits.settled[i] != 0 && !splits(i))) continue;
     hits.there[i] = 0;
     follow_alone(hits.ray[i], depth);
   }
@@ -131,10 +136,10 @@ void BlockTracer::add_hits(int depth) {
     sums_[rays_->pixel[ray]] += rays_->share[ray] * hits.own[i];
     any = any || hits.needs[i]->onward;
   }
-  if (depth > 0 && any) reflect();
+  if (depth > 0 && any) reflect(depth);
 }
 
-void BlockTracer::reflect() {
+void BlockTracer::reflect(int depth) {
   const Hits& hits = *hits_;
   Stats& stats = single_.stats();
   Lighting& room = *lighting_;
@@ -149,6 +154,18 @@ void BlockTracer::reflect() {
     const Vec3 direction = room.known[i] != 0 ? room.towards[i] : mirrored(hits.direction[i], hits.facing[i]);
     const double outward = dot(hits.normal[i], direction);
     const bool inside = outward < 0;
+    const Contact contact = hits.contact(*tracing_.world, i, inside, true);
+    if (tracing_.plan->media && hits.convex[i] != 0) {
+      ++stats.medium_changes;
+      if (inside) {
+        // Rays that go together are in no solid.
+        Ray ray{hits.point[i], direction, hits.error[i], {}, {}};
+        ray.contacts.push_back(contact);
+        cross(*tracing_.world, ray.open, contact.shape, true);
+        single_.follow(std::move(ray), share, depth - 1, sums_[rays_->pixel[hits.ray[i]]]);
+        continue;
+      }
+    }
     const std::size_t to = next_->count++;
     next_->origin.set(to, hits.point[i]);
     next_->direction.set(to, direction);
@@ -159,14 +176,7 @@ void BlockTracer::reflect() {
     next_->starts.shape[to] = hits.shape[i];
     next_->starts.rise[to] = std::fabs(outward);
     next_->starts.passes[to] = hits.convex[i] != 0 && inside ? -1 : 0;
-    next_->contact[to] = {hits.primitive[i],
-                          static_cast<std::uint32_t>(hits.shape[i]),
-                          hits.face[i],
-                          inside,
-                          inside,
-                          true,
-                          hits.normal[i],
-                          false};
+    next_->contact[to] = contact;
   }
 }
 

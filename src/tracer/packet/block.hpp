@@ -33,7 +33,7 @@ class BlockTracer {
   void sort_found(int depth);
   void land(int depth);
   void add_hits(int depth);
-  void reflect();
+  void reflect(int depth);
   /// Follows the ray, with all that comes of it, by itself.
   void follow_alone(std::size_t ray, int depth);
 

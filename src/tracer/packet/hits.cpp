@@ -75,7 +75,7 @@ void find_highlights(const Hits& hits, Lighting& room) {
 /// Adds the light where nothing is in its way.
 void add_unblocked(const Tracing& tracing, const Scenery& scenery, Hits& hits, Lighting& room, Stats& stats) {
   const Plan& plan = *tracing.plan;
-  const bool together = plan.shadows == ShadowWork::blocked && plan.any_hit;
+  const bool together = plan.shadows != ShadowWork::none && plan.any_hit;
   if (together) {
     room.starts.error = hits.error;
     room.starts.primitive = hits.primitive_word;
@@ -95,7 +95,7 @@ void add_unblocked(const Tracing& tracing, const Scenery& scenery, Hits& hits, L
       ++stats.shadow_rays;
       through = grey(room.seen[i] == Seen::surface ? 0 : 1);
     } else if (plan.shadows != ShadowWork::none) {
-      const Ray ray = ray_from(*tracing.world, hits.hit(i), room.towards[i]);
+      const Ray ray = ray_from(*tracing.world, hits.hit(*tracing.world, i), room.towards[i]);
       through = light_through(*tracing.world, plan.shadows, ray, room.distance[i], stats, plan.any_hit);
     }
     hits.own.set(i, hits.own[i] + (plan.shadows == ShadowWork::none ? sent : through * sent));
@@ -148,7 +148,13 @@ Ground ground(const World& world, std::uint32_t primitive) {
   return across < 0 ? Ground::other : static_cast<Ground>(static_cast<int>(Ground::plane_x) + across);
 }
 
-Hit Hits::hit(std::size_t i) const {
+Contact Hits::contact(const World& world, std::size_t i, bool inside, bool left) const {
+  const auto of = static_cast<std::uint32_t>(shape[i]);
+  const bool joined = world.primitives[primitive[i]].kind == Kind::facet && encloses(*world.scene, of);
+  return {primitive[i], of, face[i], inside, inside, left, normal[i], joined};
+}
+
+Hit Hits::hit(const World& world, std::size_t i) const {
   Hit hit;
   hit.primitive = primitive[i];
   hit.shape = static_cast<std::uint32_t>(shape[i]);
@@ -158,8 +164,7 @@ Hit Hits::hit(std::size_t i) const {
   hit.point = point[i];
   hit.point_error = error[i];
   hit.normal = normal[i];
-  const bool inside = !hit.root.entering;
-  hit.contacts.push_back({hit.primitive, hit.shape, face[i], inside, inside, false, hit.normal, false});
+  hit.contacts.push_back(contact(world, i, !hit.root.entering, false));
   return hit;
 }
 
@@ -189,7 +194,7 @@ void find_surfaces(const Tracing& tracing, Hits& hits, bool follow, Stats& stats
                                             m.shininess,
                                             false}
                                   : surface_at(world, needs, {hits.origin[i], hits.direction[i], 0, {}, {}},
-                                               hits.hit(i), follow, stats);
+                                               hits.hit(world, i), follow, stats);
     hits.facing.set(i, surface.normal);
     hits.own.set(i, Color{} + surface.ambient * scene.settings.ambient);
     hits.diffuse.set(i, surface.diffuse);

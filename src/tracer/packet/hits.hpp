@@ -48,7 +48,9 @@ struct Hits {
   Numbers shininess;
   bool any_specular = false;
 
-  Hit hit(std::size_t i) const;
+  /// The surface at the hit, for a ray that starts there on the given side of it.
+  Contact contact(const World& world, std::size_t i, bool inside, bool left) const;
+  Hit hit(const World& world, std::size_t i) const;
 };
 
 /// Room for what one light does.

@@ -4,10 +4,11 @@
 
 #include "tracer/candidates.hpp"
 #include "tracer/packet/kernels.hpp"
+#include "tracer/pattern.hpp"
 
 namespace lancer::tracer {
 
-PacketWorld::PacketWorld(const World& world) {
+PacketWorld::PacketWorld(const World& world, ShadowWork shadows) {
   scenery_.world = &world;
   if (!world.tree.nodes().empty()) {
     scenery_.nodes = world.tree.nodes().data();
@@ -22,8 +23,15 @@ PacketWorld::PacketWorld(const World& world) {
   scenery_.planes = world.planes.data();
   scenery_.facets = world.facets.data();
   scenery_.has_facets = !world.facets.empty();
-  for (const Primitive& p : world.primitives) casts_.push_back(world.scene->shapes[p.shape].shadow ? 1 : 0);
-  scenery_.casts = casts_.data();
+  for (const Primitive& p : world.primitives) {
+    const bool clear = !is_black(*world.scene, world.material_of(p.shape).transmission);
+    const bool casts = world.scene->shapes[p.shape].shadow;
+    shade_.push_back(!casts                                     ? Shade::none
+                     : clear && shadows == ShadowWork::filtered ? Shade::filtered
+                                                                : Shade::black);
+    splits_.push_back(clear ? 1 : 0);
+  }
+  scenery_.shade = shade_.data();
 }
 
 FirstRoot first_root(const World& world, std::uint32_t primitive, Vec3 origin, Vec3 direction) {

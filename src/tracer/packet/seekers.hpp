@@ -42,11 +42,13 @@ struct First {
   LANCER_INLINE Mask has_rival() const { return mask(rival <= high) & mask(rival < lanes(k_infinity)); }
 };
 
-/// Which of the crossings surely lie before the light; the others that may go to c.doubt.
+/// Which of the crossings surely lie before the light and leave nothing of it; the others that may lie there
+/// go to c.doubt.
 template <class Surface>
-LANCER_INLINE Mask surely_before(const Surface& surface, const Probes& p, Lanes distance, Crossings& c) {
+LANCER_INLINE Mask surely_black(Shade shade, const Surface& surface, const Probes& p, Lanes distance,
+                                Crossings& c) {
   const Mask may = c.met & ~mask(c.t - c.error >= distance);
-  Mask sure = may & mask(c.t + c.error < distance);
+  Mask sure = may & mask(c.t + c.error < distance) & masks(shade == Shade::black ? -1 : 0);
   if (any(sure)) {
     // Where the crossing lies within the surface's own bounds, within() leaves it where it is.
     const Intervals own = own_interval(surface, p);

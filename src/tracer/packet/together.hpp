@@ -151,9 +151,10 @@ struct BlockedSearch : Group {
   LANCER_INLINE bool is_over() const { return all_known || is_too_much(); }
   LANCER_INLINE double limit() const { return most(distance); }
   LANCER_INLINE void ask_one(std::uint32_t primitive) {
-    if (scenery.casts[primitive] == 0) return;
+    const Shade shade = scenery.shade[primitive];
+    if (shade == Shade::none) return;
     ask(*this, primitive, [&](std::size_t k, const auto& surface, Crossings& c) {
-      const Mask sure = surely_before(surface, probes[k], distance[k], c);
+      const Mask sure = surely_black(shade, surface, probes[k], distance[k], c);
       doubt[k] |= c.doubt;
       blocked[k] |= sure;
       probes[k].active &= ~(sure | doubt[k]);

@@ -68,6 +68,9 @@ struct Found {
   Numbers t, error;  // of its root
 };
 
+/// What a primitive's shadow is: none, black, or what its transmission leaves.
+enum class Shade : std::uint8_t { none, black, filtered };
+
 /// What kernels read of the world.
 struct Scenery {
   const World* world = nullptr;
@@ -81,7 +84,7 @@ struct Scenery {
   const SpherePrimitive* spheres = nullptr;
   const PlanePrimitive* planes = nullptr;
   const FacetPrimitive* facets = nullptr;
-  const std::uint8_t* casts = nullptr;  // of each primitive: does it cast a shadow?
+  const Shade* shade = nullptr;  // of each primitive
   bool has_facets = false;
 };
 
