@@ -57,15 +57,10 @@ LANCER_INLINE void ask_batch(Search& search, const Surface& surface, const Batch
   const Mask asked = there & ~mask(ids == search.start.primitive);
   Crossings c{};
   if (!any(asked) || !meet(surface, search.probes, asked, c)) return;
-  if constexpr (std::is_same_v<Surface, Facets>) {
-    Mask echo = c.met;
-    for (std::size_t i = 0; i < batch.count; ++i) {
-      const Mask same = search.start.may_echo(search.scenery.primitives[batch.primitive[i]].shape, c);
-      echo[i] &= same[i];
-    }
-    for (std::size_t i = batch.count; i < 4; ++i) echo[i] = 0;
-    c.met &= ~echo;
-    c.doubt |= echo;
+  for (int i = 0; i < static_cast<int>(batch.count); ++i) {
+    Mask lane = masks(0);
+    lane[i] = -1;
+    search.start.doubt_near(search.scenery, batch.primitive[static_cast<std::size_t>(i)], surface, lane, c);
   }
   search.take(surface, ids, c);
 }

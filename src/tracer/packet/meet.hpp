@@ -11,6 +11,8 @@ struct Crossings {
   Mask met, doubt;
   Lanes t, error;
   Mask entering;
+  Mask crossed;  // of facets: surely met ahead or behind
+  Lanes slope;   // of facets: how steeply the ray meets it
 };
 
 /// False: no ray meets it.
@@ -87,7 +89,7 @@ LANCER_INLINE Sheared shear(const Vectors& corner, const Probes& p) {
 
 LANCER_INLINE bool meet(const Facets& f, const Probes& p, Mask asked, Crossings& out) {
   if (p.kz < 0) {
-    out.met = masks(0);
+    out.met = out.crossed = masks(0);
     out.doubt = asked;
     return true;
   }
@@ -119,7 +121,9 @@ LANCER_INLINE bool meet(const Facets& f, const Probes& p, Mask asked, Crossings&
   const Lanes steep = abs(inverse), far = abs(out.t);
   out.error = (depth_error + lanes(2.0) * far * slope_error) * steep + lanes(4 * k_u) * far;
   const Mask certain = hits & mask(far > out.error) & ~mask(slope_error * steep > lanes(0.5));
-  out.met = may & certain & mask(out.t > lanes(0.0));
+  out.crossed = may & certain;
+  out.slope = slope;
+  out.met = out.crossed & mask(out.t > lanes(0.0));
   out.doubt = may & ~certain;
   return true;
 }

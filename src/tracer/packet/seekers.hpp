@@ -15,9 +15,27 @@ struct Start {
   Mask primitive, shape;
   Lanes rise, error;
 
-  /// Next to their start rays that leave a mesh may meet it where is_echo() has to tell.
-  LANCER_INLINE Mask may_echo(std::uint32_t of_shape, const Crossings& c) const {
-    return mask(shape == masks(of_shape)) & ~mask((c.t - c.error) * rise > error);
+  /// Next to its start a ray that leaves a mesh may meet it where is_echo() has to tell, and any closed mesh,
+  /// or a convex solid that it seems to start in, where roots_ahead() has to: those crossings are in doubt.
+  LANCER_INLINE void doubt_near(const Scenery& s, std::uint32_t asked, const Facets&, Mask where,
+                                Crossings& c) const {
+    const Mask same = mask(shape == masks(s.primitives[asked].shape));
+    const Mask echo = c.met & same & ~mask((c.t - c.error) * rise > error);
+    const Mask near = c.crossed & mask((abs(c.t) - c.error) * abs(c.slope) <= error);
+    leave_open(where & (echo | (near & mask(error != lanes(0.0)))), c);
+  }
+  LANCER_INLINE void doubt_near(const Scenery&, std::uint32_t, const PlanePrimitive&, Mask,
+                                Crossings&) const {}
+  template <class ConvexSolid>
+  LANCER_INLINE void doubt_near(const Scenery&, std::uint32_t, const ConvexSolid&, Mask where,
+                                Crossings& c) const {
+    leave_open(where & c.met & ~c.entering & mask(error != lanes(0.0)), c);
+  }
+
+ private:
+  LANCER_INLINE static void leave_open(Mask which, Crossings& c) {
+    c.met &= ~which;
+    c.doubt |= which;
   }
 };
 

@@ -80,11 +80,7 @@ LANCER_INLINE void ask(Group& g, std::uint32_t primitive, const Take& take) {
       ++g.spent;
       Crossings c{};
       if (!meet(surface, g.probes[k], asked, c)) continue;
-      if constexpr (std::is_same_v<std::decay_t<decltype(surface)>, Facets>) {
-        const Mask echo = c.met & g.start[k].may_echo(g.scenery.primitives[primitive].shape, c);
-        c.met &= ~echo;
-        c.doubt |= echo;
-      }
+      g.start[k].doubt_near(g.scenery, primitive, surface, masks(-1), c);
       take(k, surface, c);
     }
   });
