@@ -41,9 +41,10 @@ class Planner {
     plan_any_hit();
     plan_media();
     plan_patterns();
-    plan_tree();
     plan_faint();
     plan_light_cells();
+    plan_packets();
+    plan_tree();
     std::sort(out_.decisions.begin(), out_.decisions.end(),
               [](const Decision& a, const Decision& b) { return a.skip < b.skip; });
     return std::move(out_);
@@ -57,6 +58,7 @@ class Planner {
   void plan_any_hit();
   void plan_media();
   void plan_patterns();
+  void plan_packets();
   void plan_tree();
   void plan_faint();
 
@@ -272,9 +274,37 @@ void Planner::plan_patterns() {
   }
 }
 
+/// Rays of neighbouring pixels go together until they meet a surface that may send on two, and where what a
+/// ray does does not depend on what others of its pixel brought.
+void Planner::plan_packets() {
+  const Things clear = shapes_with([](auto& w, auto& t) { return t.transmission ? w.any : k_none; });
+  const auto by_itself = [&](std::string reason, const Things& things = {}) {
+    decide(Skip::single_rays, Verdict::needed, std::move(reason), things);
+  };
+  if (scene_.settings.sum != scene::Sum::linear) {
+    by_itself("the sum of terms is not linear");
+  } else if (out_.media && view_.projection == scene::Projection::orthographic) {
+    by_itself("each ray starts in solids of its own");
+  } else if (out_.faint_rays || out_.faint_lights) {
+    by_itself("what is too faint to show is left out, ray by ray");
+  } else if (out_.light_cells.used) {
+    by_itself("lights are looked up by place");
+  } else if (!may(Skip::dark_lights) || !may(Skip::zero_terms)) {
+    by_itself("lights are asked even where they are dark");
+  } else if (out_.transmits) {
+    out_.packets = leave_out(Skip::single_rays, "until it meets {}, where light may go on in two ways", clear,
+                             Thing::Kind::shape, Verdict::as_met);
+  } else {
+    out_.packets = leave_out(Skip::single_rays, "rays of neighbouring pixels are traced together");
+  }
+}
+
 void Planner::plan_tree() {
   const std::string many = std::to_string(has_.primitives);
-  const std::uint64_t longest = has_.only_spheres_and_planes ? k_longest_list_of_spheres : k_longest_list;
+  const bool all_together = out_.packets && !out_.transmits;
+  const std::uint64_t longest = all_together                   ? k_longest_packet_list
+                                : has_.only_spheres_and_planes ? k_longest_list_of_spheres
+                                                               : k_longest_list;
   if (has_.primitives > longest) {
     decide(Skip::tree, Verdict::needed, many + " things are more than a list is good for");
   } else {

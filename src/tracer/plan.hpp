@@ -59,6 +59,7 @@ struct Plan {
   bool reflects = true;              // some surface may send a ray back
   bool transmits = true;             // some surface may let one through
   bool media = true;                 // a ray's open solids matter
+  bool packets = false;              // rays of neighbouring pixels are traced together
   bool tree = true;                  // a tree over the primitives, in place of a list
   bool every_light = true;           // else only `lights`
   std::vector<scene::Index> lights;  // that may reach something, in order
@@ -87,7 +88,7 @@ Plan plan(const scene::Scene& scene, const scene::View& view, const Options& opt
 std::string in_words(const scene::Scene& scene, const Decision& decision);
 
 /// Up to this many primitives a list is asked faster than a tree; spheres, tested four at a time, and planes
-/// may be more.
-inline constexpr std::uint64_t k_longest_list = 4, k_longest_list_of_spheres = 8;
+/// may be more, and so may things of all kinds where all rays go together.
+inline constexpr std::uint64_t k_longest_list = 4, k_longest_list_of_spheres = 8, k_longest_packet_list = 16;
 
 }  // namespace lancer::tracer

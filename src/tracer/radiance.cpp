@@ -27,11 +27,16 @@ Color Tracer::one_surface(const Ray& ray) {
   return shade(tracing_, ray, hit, false, stats_, {grey(1), nullptr, cells()}).own.value();
 }
 
-Color Tracer::linear(const Ray& first, int depth) {
-  const scene::Settings& settings = tracing_.world->scene->settings;
+Color Tracer::linear(const Ray& ray, int depth) {
   Color sum;
+  follow(ray, grey(1), depth, sum);
+  return sum;
+}
+
+void Tracer::follow(const Ray& first, Color first_share, int depth, Color& sum) {
+  const scene::Settings& settings = tracing_.world->scene->settings;
   pending_.clear();
-  Pending now{first, grey(1), depth};
+  Pending now{first, first_share, depth};
   Hit hit;
   while (!tracing_.cancelled()) {
     bool goes_on = false;
@@ -40,7 +45,7 @@ Color Tracer::linear(const Ray& first, int depth) {
       Shaded shaded = shade(tracing_, now.ray, hit, now.depth > 0, stats_, {grey(1), nullptr, cells()});
       sum += share * shaded.own.value();
       const int left = now.depth - 1;
-      const auto follow = [&](std::optional<Branch>& branch, std::uint64_t& count) {
+      const auto go_on = [&](std::optional<Branch>& branch, std::uint64_t& count) {
         if (!branch) return;
         const Color counts = share * (branch->share + branch->also);
         if (is_black(counts)) return;
@@ -51,8 +56,8 @@ Color Tracer::linear(const Ray& first, int depth) {
         now.depth = left;
         goes_on = true;
       };
-      follow(shaded.reflected, stats_.reflected_rays);
-      follow(shaded.transmitted, stats_.refracted_rays);
+      go_on(shaded.reflected, stats_.reflected_rays);
+      go_on(shaded.transmitted, stats_.refracted_rays);
     } else {
       sum += now.share * settings.background;
     }
@@ -61,7 +66,6 @@ Color Tracer::linear(const Ray& first, int depth) {
     now = std::move(pending_.back());
     pending_.pop_back();
   }
-  return sum;
 }
 
 Color Tracer::allowance(Color seen) const {

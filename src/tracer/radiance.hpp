@@ -17,6 +17,10 @@ class Tracer {
   /// What arrives along the ray, of which `depth` deviations may be followed.
   Color radiance(const Ray& ray, int depth);
 
+  /// Adds to the sum (of sum "linear") what the ray brings, which counts `share` in it, term by term in the
+  /// order of radiance().
+  void follow(const Ray& first, Color share, int depth, Color& sum);
+
   Stats& stats() { return stats_; }
 
  private:

@@ -12,6 +12,7 @@
 #include "tracer/camera.hpp"
 #include "tracer/media.hpp"
 #include "tracer/origin.hpp"
+#include "tracer/packet/block.hpp"
 #include "tracer/radiance.hpp"
 #include "tracer/sample.hpp"
 
@@ -29,12 +30,56 @@ struct Job {
   Region region;
   int samples = 1;
   std::vector<Surrounding> around_eye;  // where all rays start there
+  std::optional<PacketWorld> packets;   // where rays go together
 };
 
 /// One thread's way from pixels to colours.
 class PixelTracer {
  public:
-  explicit PixelTracer(const Job& job) : job_(job), tracer_(job.tracing) {}
+  explicit PixelTracer(const Job& job) : job_(job), tracer_(job.tracing) {
+    if (job.packets) block_.emplace(*job.packets, job.tracing, tracer_);
+  }
+
+  /// The mean radiance of each pixel of the image's region, which has k_wave at the most, row by row; no
+  /// meaningful values once cancelled.
+  const Color* block(const Region& pixels) {
+    const int width = pixels.x1 - pixels.x0;
+    if (block_) {
+      add_together(pixels);
+    } else {
+      for (int y = pixels.y0; y < pixels.y1 && !job_.tracing.cancelled(); ++y) {
+        for (int x = pixels.x0; x < pixels.x1; ++x)
+          colors_[static_cast<std::size_t>((y - pixels.y0) * width + x - pixels.x0)] = pixel(x, y);
+      }
+    }
+    return colors_.data();
+  }
+
+  const Stats& stats() { return tracer_.stats(); }
+
+ private:
+  /// In squares of 4 x 4 pixels, whose rays search together.
+  void add_together(const Region& pixels) {
+    colors_.fill({});
+    const int width = pixels.x1 - pixels.x0;
+    for (int i = 0; i < job_.samples && !job_.tracing.cancelled(); ++i) {
+      block_->clear();
+      for (int y0 = pixels.y0; y0 < pixels.y1; y0 += 4) {
+        for (int x0 = pixels.x0; x0 < pixels.x1; x0 += 4) {
+          for (int y = y0; y < std::min(y0 + 4, pixels.y1); ++y) {
+            for (int x = x0; x < std::min(x0 + 4, pixels.x1); ++x) {
+              const PixelPoint at = pixel_point(x, y, i, job_.samples);
+              block_->add_ray(job_.camera.ray(x + at.x, y + at.y),
+                              static_cast<std::size_t>((y - pixels.y0) * width + x - pixels.x0));
+            }
+          }
+        }
+      }
+      tracer_.stats().primary_rays += block_->size();
+      block_->add_radiance(job_.tracing.world->scene->settings.depth, colors_.data());
+    }
+    for (Color& c : colors_) c = {c.r / job_.samples, c.g / job_.samples, c.b / job_.samples};
+  }
 
   /// The mean radiance of the pixel; no meaningful value once cancelled.
   Color pixel(int column, int row) {
@@ -47,9 +92,6 @@ class PixelTracer {
     return {sum.r / job_.samples, sum.g / job_.samples, sum.b / job_.samples};
   }
 
-  const Stats& stats() { return tracer_.stats(); }
-
- private:
   Ray ray(double x, double y) {
     const CameraRay from = job_.camera.ray(x, y);
     Ray ray{from.origin, from.direction, 0, {}, {}};
@@ -65,6 +107,8 @@ class PixelTracer {
 
   const Job& job_;
   Tracer tracer_;
+  std::optional<BlockTracer> block_;
+  std::array<Color, k_wave> colors_;
 };
 
 float to_float(double radiance) {
@@ -106,19 +150,21 @@ class Tiles {
 
  private:
   static constexpr int k_side = 16;
+  static_assert(k_side * k_side <= k_wave);
 
   void draw(PixelTracer& tracer, int tile_x, int tile_y) {
     const int x1 = std::min(image_.width(), (tile_x + 1) * k_side);
     const int y0 = tile_y * k_side, y1 = std::min(image_.height(), y0 + k_side);
+    const Region& all = job_.region;
+    const Color* color = tracer.block({all.x0 + tile_x * k_side, all.y0 + y0, all.x0 + x1, all.y0 + y1});
+    // A tile that was cut short stays black.
+    if (job_.tracing.cancelled()) return;
     for (int y = y0; y < y1; ++y) {
-      for (int x = tile_x * k_side; x < x1; ++x) {
-        const Color color = tracer.pixel(job_.region.x0 + x, job_.region.y0 + y);
-        // A pixel that was cut short stays black.
-        if (job_.tracing.cancelled()) return;
+      for (int x = tile_x * k_side; x < x1; ++x, ++color) {
         const auto out = image_.pixel(x, y);
-        out[0] = to_float(color.r);
-        out[1] = to_float(color.g);
-        out[2] = to_float(color.b);
+        out[0] = to_float(color->r);
+        out[1] = to_float(color->g);
+        out[2] = to_float(color->b);
       }
     }
     if (left_[static_cast<std::size_t>(tile_y)].fetch_sub(1) != 1) return;
@@ -187,6 +233,7 @@ Rendered render(const scene::Scene& scene, const scene::View& view, const Option
           Camera(view, columns, rows, world.origin),
           {0, 0, columns, rows},
           options.samples,
+          {},
           {}};
   if (options.region) {
     const Region& r = *options.region;
@@ -194,6 +241,8 @@ Rendered render(const scene::Scene& scene, const scene::View& view, const Option
                   std::clamp(r.y1, 0, rows)};
   }
   if (needed.media && job.camera.has_one_origin()) job.around_eye = solids_around(world, job.camera.eye());
+  // Rays that go together start in no solid whose medium matters.
+  if (needed.packets && job.around_eye.empty()) job.packets.emplace(world, needed.shadows);
   out.stats.build_seconds = seconds_since(build_start);
 
   const auto render_start = std::chrono::steady_clock::now();

@@ -20,12 +20,13 @@ enum class Skip : std::uint8_t {
   patterns,      // colours that no term needs
   recursion,     // looking for rays to go on with
   shadow_rays,   // all of them
+  single_rays,   // tracing each ray by itself
   tree,          // a tree over few shapes
   zero_terms,    // light on surfaces that send none of it back
 };
-inline constexpr std::array<std::string_view, 10> k_skip_names{
-    "any-hit",  "dark-lights", "faint-lights", "faint-rays", "media",
-    "patterns", "recursion",   "shadow-rays",  "tree",       "zero-terms"};
+inline constexpr std::array<std::string_view, 11> k_skip_names{
+    "any-hit",   "dark-lights", "faint-lights", "faint-rays", "media",     "patterns",
+    "recursion", "shadow-rays", "single-rays",  "tree",       "zero-terms"};
 
 constexpr std::string_view name_of(Skip skip) { return k_skip_names[static_cast<std::size_t>(skip)]; }
 
@@ -41,6 +42,7 @@ constexpr std::string_view what_of(Skip skip) {
     case Skip::patterns: return "patterned colours that no term needs";
     case Skip::recursion: return "rays that go on from a surface";
     case Skip::shadow_rays: return "shadow rays";
+    case Skip::single_rays: return "tracing each ray by itself";
     case Skip::tree: return "a tree of boxes";
     case Skip::zero_terms: return "lights at points that send none of them back";
   }

@@ -49,6 +49,7 @@ left out
 
 left out where met
   dark-lights  shadow rays to lights that are black, behind the surface or aimed elsewhere
+  single-rays  tracing each ray by itself (until it meets `ball`, where light may go on in two ways)
   zero-terms   lights at points that send none of them back
 
 needed
@@ -76,7 +77,7 @@ TEST_CASE("plan: of the view, size and variables that are asked for, as JSON", "
   CHECK(report["primary_rays"] == 10 * 4 * 3);
   CHECK(report["structure"] == "list");
   CHECK(report["shapes"]["plane"] == 1);
-  CHECK(report["skips"].size() == 10);
+  CHECK(report["skips"].size() == 11);
   CHECK(skip(report, "media")["verdict"] == "skipped");
   CHECK(skip(report, "media")["why"] == "all refractive indices are the same");
   CHECK(skip(report, "recursion")["verdict"] == "needed");

@@ -190,23 +190,30 @@ TEST_CASE("plan: black lights are not asked", "[plan]") {
 
 TEST_CASE("plan: few things are asked one by one", "[plan]") {
   Scene s;
+  const Skips alone = Skips::all().without(Skip::single_rays);
   const auto add_spheres = [&](std::uint64_t count) {
     for (std::uint64_t i = 0; i < count; ++i) add_sphere(s, {3.0 * static_cast<double>(i), 0, 0}, 1);
   };
   add_spheres(k_longest_list_of_spheres);
-  CHECK_FALSE(planned(s).tree);
-  CHECK(planned(s, Skips::all().without(Skip::tree)).tree);
+  CHECK_FALSE(planned(s, alone).tree);
+  CHECK(planned(s, alone.without(Skip::tree)).tree);
   add_sphere(s, {0, 5, 0}, 1);
+  CHECK(planned(s, alone).tree);
+  CHECK_FALSE(planned(s).tree);  // Rays that go together ask more of them as fast.
+  while (s.shapes.size() < k_longest_packet_list) add_sphere(s, {0, 9, 0}, 1);
+  CHECK_FALSE(planned(s).tree);
+  add_sphere(s, {0, 9, 3}, 1);
   CHECK(planned(s).tree);
   s = Scene{};
   add_spheres(k_longest_list - 1);
   add_box(s, {0, 5, 0}, {1, 6, 1});
-  CHECK_FALSE(planned(s).tree);
+  CHECK_FALSE(planned(s, alone).tree);
   add_sphere(s, {0, 9, 0}, 1);
-  CHECK(planned(s).tree);
+  CHECK(planned(s, alone).tree);
   s = Scene{};
   add_mesh(s, cube_mesh(true));  // of 12 facets
-  CHECK(planned(s).tree);
+  CHECK(planned(s, alone).tree);
+  CHECK_FALSE(planned(s).tree);
 }
 
 TEST_CASE("plan: reasons name a few things, and count the others", "[plan]") {

@@ -20,15 +20,17 @@ Rendered with_skips(const Scene& s, const scene::View& v, Skips skips, double er
   return render(s, v, options);
 }
 
-/// What the render of a scene counts with all skips, and with all but one.
+/// What the render of a scene counts with all skips, and with all but one; each ray by itself, as groups of
+/// rays ask for all their rays.
 struct Counts {
   Stats on, off;
 };
 
 Counts counts(const Scene& s, Skip skip, double error = 0) {
   const scene::View v = view({0, 1, 6}, {0, -0.15, -1}, 24);
-  const Rendered on = with_skips(s, v, Skips::all(), error);
-  const Rendered off = with_skips(s, v, Skips::all().without(skip), error);
+  const Skips alone = Skips::all().without(Skip::single_rays);
+  const Rendered on = with_skips(s, v, alone, error);
+  const Rendered off = with_skips(s, v, alone.without(skip), error);
   if (error == 0) CHECK(on.image.data() == off.image.data());
   return {on.stats, off.stats};
 }
@@ -105,6 +107,15 @@ TEST_CASE("skip: dark-lights spares rays to lights behind, aimed elsewhere, or b
   CHECK(c.on.lights_behind > 0);
   CHECK(c.on.lights_outside_cone > 0);
   CHECK(c.on.shadow_rays + c.on.lights_behind + c.on.lights_outside_cone + before >= c.off.shadow_rays / 2);
+}
+
+TEST_CASE("skip: single-rays spares visits of nodes", "[skip]") {
+  const Scene s = many_balls(matt(0.7));
+  const scene::View v = view({0, 1, 6}, {0, -0.15, -1}, 24);
+  const Stats together = with_skips(s, v, Skips::all()).stats;
+  const Stats alone = with_skips(s, v, Skips::all().without(Skip::single_rays)).stats;
+  CHECK(together.shadow_rays == alone.shadow_rays);
+  CHECK(together.node_visits * 2 < alone.node_visits);
 }
 
 TEST_CASE("skip: zero-terms spares rays to lights from a pure mirror", "[skip]") {

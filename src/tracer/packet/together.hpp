@@ -1,0 +1,192 @@
+#pragma once
+// Groups of rays that search together: every primitive is asked for all of them. Compiled in the namespace
+// LANCER_TARGET.
+
+#include "tracer/packet/seekers.hpp"
+#include "tracer/packet/slabs.hpp"
+#include "tracer/tree/walk.hpp"
+
+namespace lancer::tracer::LANCER_TARGET {
+
+/// What all searches of a group have.
+struct Group {
+  const Scenery& scenery;
+  Work& work;
+  std::size_t first;  // of the columns
+  std::array<Probes, k_vectors> probes;
+  std::array<Start, k_vectors> start;
+  std::array<Mask, k_vectors> doubt;
+  std::uint64_t rays = 0;
+  std::uint64_t spent = 0;  // in about the time of a test of four rays
+
+  LANCER_INLINE Group(const Scenery& s, const RaysView& view, std::size_t from, Work& w)
+      : scenery(s), work(w), first(from) {
+    for (std::size_t k = 0; k < k_vectors; ++k) {
+      const std::size_t at = first + 4 * k;
+      Probes& p = probes[k];
+      p.origin = load(*view.origin, at);
+      p.direction = load(*view.direction, at);
+      const Lanes one = lanes(1.0);
+      p.inverse = {one / p.direction.x, one / p.direction.y, one / p.direction.z};
+      const auto left = static_cast<long long>(view.count) - static_cast<long long>(at);
+      p.active = mask(Mask{0, 1, 2, 3} < masks(left));
+      doubt[k] = masks(0);
+      start[k] = {masks(k_no_primitive), masks(k_no_primitive), lanes(0.0), lanes(0.0)};
+      if (!view.starts) continue;
+      start[k] = {load(&view.starts->primitive[at]), load(&view.starts->shape[at]),
+                  load(&view.starts->rise[at]), load(&view.starts->error[at])};
+      doubt[k] = load(&view.starts->passes[at]) & p.active;
+      p.active &= ~doubt[k];
+    }
+  }
+
+  /// Once it is known which rays search; false: none.
+  LANCER_INLINE bool begin() {
+    for (Probes& p : probes) {
+      rays += static_cast<unsigned>(std::popcount(bits(p.active)));
+      if (scenery.has_facets && any(p.active)) set_shear(p);
+    }
+    return rays != 0;
+  }
+
+  /// One by one its rays would by now be nearly done.
+  LANCER_INLINE bool is_too_much() const { return spent > k_worth * rays; }
+
+  LANCER_INLINE const Probes* probe() const { return probes.data(); }
+  LANCER_INLINE void count_node() {
+    ++work.node_visits;
+    spent += k_node;
+  }
+  /// The largest lane of those active.
+  LANCER_INLINE double most(const std::array<Lanes, k_vectors>& values) const {
+    Lanes all = lanes(-k_infinity);
+    for (std::size_t k = 0; k < k_vectors; ++k)
+      all = greater(all, select(probes[k].active, values[k], lanes(-k_infinity)));
+    return std::max(std::max(all[0], all[1]), std::max(all[2], all[3]));
+  }
+
+ private:
+  static constexpr std::uint64_t k_worth = 10, k_node = 3;
+};
+
+/// Asks a primitive which rays meet it, and tells `take(k, surface, crossings)`.
+template <class Take>
+LANCER_INLINE void ask(Group& g, std::uint32_t primitive, const Take& take) {
+  g.work.shape_tests += g.rays;
+  with_surface(g.scenery, primitive, [&](const auto& surface) {
+    for (std::size_t k = 0; k < k_vectors; ++k) {
+      const Mask asked = g.probes[k].active & ~mask(g.start[k].primitive == masks(primitive));
+      if (!any(asked)) continue;
+      ++g.spent;
+      Crossings c{};
+      if (!meet(surface, g.probes[k], asked, c)) continue;
+      g.start[k].doubt_near(g.scenery, primitive, surface, masks(-1), c);
+      take(k, surface, c);
+    }
+  });
+}
+
+struct ClosestSearch : Group {
+  std::array<First, k_vectors> found;
+
+  LANCER_INLINE ClosestSearch(const Scenery& s, const RaysView& view, std::size_t from, Work& w)
+      : Group(s, view, from, w) {}
+
+  LANCER_INLINE bool is_over() const { return is_too_much(); }
+  LANCER_INLINE double limit() const {
+    return most({found[0].high, found[1].high, found[2].high, found[3].high});
+  }
+  LANCER_INLINE void ask_one(std::uint32_t primitive) {
+    ask(*this, primitive, [&](std::size_t k, const auto&, const Crossings& c) {
+      doubt[k] |= c.doubt;
+      found[k].take(masks(primitive), c);
+    });
+  }
+  LANCER_INLINE void ask_leaf(const std::uint32_t* item) {
+    for (;; ++item) {
+      ask_one(scenery.bounded[*item & ~k_last_item]);
+      if ((*item & k_last_item) != 0) return;
+    }
+  }
+
+  LANCER_INLINE void tell(Found& out) const {
+    for (std::size_t k = 0; k < k_vectors; ++k) {
+      const std::size_t at = first + 4 * k;
+      store(&out.primitive[at], found[k].primitive);
+      store(&out.entering[at], found[k].entering);
+      store(&out.t[at], found[k].t);
+      store(&out.error[at], found[k].error);
+      const unsigned unclear = bits(doubt[k] | found[k].has_rival());
+      const unsigned met = bits(mask(found[k].primitive != masks(k_no_primitive)));
+      for (std::size_t i = 0; i < 4; ++i) {
+        out.seen[at + i] = (unclear >> i & 1) != 0 ? Seen::in_doubt
+                           : (met >> i & 1) != 0   ? Seen::surface
+                                                   : Seen::nothing;
+      }
+    }
+  }
+};
+
+/// Is anything that casts a shadow in between?
+struct BlockedSearch : Group {
+  std::array<Lanes, k_vectors> distance;
+  std::array<Mask, k_vectors> blocked;
+  bool all_known = false;
+
+  LANCER_INLINE BlockedSearch(const Scenery& s, const ShadowsView& view, std::size_t from, Work& w)
+      : Group(s, view.rays, from, w) {
+    for (std::size_t k = 0; k < k_vectors; ++k) {
+      const Mask asked = load(&(*view.asked)[from + 4 * k]);
+      probes[k].active &= asked;
+      doubt[k] &= asked;
+      distance[k] = load(&(*view.distance)[from + 4 * k]);
+      blocked[k] = masks(0);
+    }
+  }
+
+  LANCER_INLINE bool is_over() const { return all_known || is_too_much(); }
+  LANCER_INLINE double limit() const { return most(distance); }
+  LANCER_INLINE void ask_one(std::uint32_t primitive) {
+    const Shade shade = scenery.shade[primitive];
+    if (shade == Shade::none) return;
+    ask(*this, primitive, [&](std::size_t k, const auto& surface, Crossings& c) {
+      const Mask sure = surely_black(shade, surface, probes[k], distance[k], c);
+      doubt[k] |= c.doubt;
+      blocked[k] |= sure;
+      probes[k].active &= ~(sure | doubt[k]);
+    });
+    Mask left = masks(0);
+    for (const Probes& p : probes) left |= p.active;
+    all_known = !any(left);
+  }
+  LANCER_INLINE void ask_leaf(const std::uint32_t* item) {
+    for (;; ++item) {
+      ask_one(scenery.bounded[*item & ~k_last_item]);
+      if (all_known || (*item & k_last_item) != 0) return;
+    }
+  }
+
+  LANCER_INLINE void tell(Column<Seen>& seen) const {
+    for (std::size_t k = 0; k < k_vectors; ++k) {
+      const unsigned sure = bits(blocked[k]), unclear = bits(doubt[k]);
+      for (std::size_t i = 0; i < 4; ++i) {
+        seen[first + 4 * k + i] = (sure >> i & 1) != 0      ? Seen::surface
+                                  : (unclear >> i & 1) != 0 ? Seen::in_doubt
+                                                            : Seen::nothing;
+      }
+    }
+  }
+};
+
+/// False: given up, as the rays are faster one by one.
+template <class Search>
+LANCER_INLINE bool search_together(Search& search) {
+  const Scenery& s = search.scenery;
+  if (!search.begin()) return true;
+  for (std::size_t i = 0; i < s.listed_count; ++i) search.ask_one(s.listed[i]);
+  if (!s.nodes) return true;
+  if (!search.is_over()) walk<GroupSlabs>(search, s.frames[0]);
+  return !search.is_too_much();
+}
+
+}  // namespace lancer::tracer::LANCER_TARGET
