@@ -42,7 +42,7 @@ struct ScriptTexts {
 
 /// What becomes tracer::Options, the same for every command that draws or plans to.
 struct PictureTexts {
-  std::string size, samples, region, no_skip;
+  std::string size, error, samples, region, no_skip;
 };
 
 struct RenderTexts {
@@ -72,7 +72,9 @@ void add_script_options(CLI::App& app, ScriptTexts& texts) {
 
 void add_picture_options(CLI::App& app, PictureTexts& texts) {
   add_text(app, "--size", texts.size, "W,H", "The picture's size in pixels, in place of the view's");
-  add_text(app, "--samples", texts.samples, "N", "Rays a pixel (16); 1 is the pixel's centre");
+  add_text(app, "--error", texts.error, "E",
+           "As many rays a pixel as keep it this near to the truth, from 0 to 1 as shown");
+  add_text(app, "--samples", texts.samples, "N", "So many rays in every pixel (16); 1 is the pixel's centre");
   add_text(app, "--region", texts.region, "X0,Y0,X1,Y1", "Only these pixels; X1 and Y1 are excluded");
   app.add_flag(
       "--no-skip", texts.no_skip,
@@ -109,6 +111,11 @@ void read_script_options(const ScriptTexts& texts, session::RunOptions& run) {
 void read_picture_options(const PictureTexts& texts, tracer::Options& options) {
   if (!texts.size.empty()) read_size(texts.size, options);
   if (!texts.region.empty()) options.region = read_region(texts.region);
+  if (!texts.error.empty()) {
+    if (!texts.samples.empty()) throw UsageError("--error and --samples exclude each other");
+    options.error = read_error(texts.error);
+    options.samples = 0;
+  }
   if (!texts.samples.empty()) {
     options.samples = static_cast<int>(read_whole("--samples", texts.samples, 1, k_most_samples));
   }

@@ -22,7 +22,6 @@ using Things = std::vector<Index>;
 
 constexpr MaterialNeeds k_everything;
 constexpr std::size_t k_most_named = 3;
-constexpr double k_faint_part = 1.0 / 8;  // of the error asked for, that all that is faint may add up to
 
 class Planner {
  public:

@@ -83,6 +83,9 @@ Plan plan(const scene::Scene& scene, const scene::View& view, const Options& opt
 /// 2`).
 std::string in_words(const scene::Scene& scene, const Decision& decision);
 
+/// Of the error asked for: all that is left out for being faint adds up to no more.
+inline constexpr double k_faint_part = 1.0 / 8;
+
 /// Up to this many primitives a list is asked faster than a tree.
 inline constexpr std::uint64_t k_longest_list = 4;
 

@@ -302,6 +302,15 @@ TEST_CASE("render: stats as text and as JSON", "[app][render]") {
   CHECK(stats["shapes"] == 1);
   CHECK(stats["not_shot"]["lights_behind"] > 0);
   CHECK(stats["not_shot"]["rays_faint"] == 0);
+  const Result refined = run_program({scene, "--stats", "--quiet", "--error", "0.05"});
+  CHECK_THAT(refined.err, ContainsSubstring(" samples each for an error of 0.05; "));
+  CHECK_THAT(refined.err, ContainsSubstring("% refined, "));
+  const Result counted = run_program({scene, "--stats=json", "--quiet", "--error", "0.05"});
+  const auto counts = nlohmann::json::parse(counted.out);
+  CHECK(counts["samples"] == 0);
+  CHECK(counts["error"] == 0.05);
+  CHECK(counts["pixels_refined"] > 0);
+  CHECK(counts["pixels_refined"] <= 12 * 8);
   const Result both = run_program({scene, "--stats=json", "--quiet", "-o", "-"});
   CHECK(both.out.find(k_png) == 0);
   CHECK(nlohmann::json::parse(both.err)["file"] == "-");
