@@ -30,7 +30,7 @@ nlohmann::json skip(const nlohmann::json& report, const std::string& name) {
 TEST_CASE("plan: what is done, what is left out, and why", "[app][plan]") {
   test::Folder f;
   const std::string scene = f.write("a.scn", k_scene);
-  const Result r = run_program({"plan", scene, "--no-skip=tree"});
+  const Result r = run_program({"plan", scene, "--no-skip=tree", "--samples", "16"});
   CHECK(r.exit_code == 0);
   CHECK(r.err.empty());
   CHECK(r.out == "view `front` of " + scene + R"(: 12 x 8 pixels, 16 samples each
@@ -68,6 +68,7 @@ TEST_CASE("plan: to an error, the first look is told, and what may be too faint"
   test::Folder f;
   const std::string scene = f.write("a.scn", k_scene);
   const Result r = run_program({"plan", scene, "--error", "0.05"});
+  CHECK(run_program({"plan", scene}).out == r.out);
   CHECK(r.out.find("view `front` of " + scene + ": 12 x 8 pixels, each to an error of 0.05\n") == 0);
   // 15 x 11 corners and 14 x 10 pixels.
   CHECK(r.out.find(
