@@ -17,6 +17,7 @@ namespace lancer::app {
 namespace {
 
 constexpr std::int64_t k_most = std::numeric_limits<std::int64_t>::max();
+constexpr double k_usual_error = 0.05;  // docs/performance.md tells why
 constexpr std::int64_t k_most_samples = 1 << 20;
 constexpr std::int64_t k_most_threads = 1024;
 constexpr std::array<std::string_view, 4> k_commands{"render", "check", "dump", "plan"};
@@ -42,7 +43,7 @@ struct ScriptTexts {
 
 /// What becomes tracer::Options, the same for every command that draws or plans to.
 struct PictureTexts {
-  std::string size, samples, region, no_skip;
+  std::string size, error, samples, region, no_skip;
 };
 
 struct RenderTexts {
@@ -72,7 +73,11 @@ void add_script_options(CLI::App& app, ScriptTexts& texts) {
 
 void add_picture_options(CLI::App& app, PictureTexts& texts) {
   add_text(app, "--size", texts.size, "W,H", "The picture's size in pixels, in place of the view's");
-  add_text(app, "--samples", texts.samples, "N", "Rays a pixel (16); 1 is the pixel's centre");
+  add_text(app, "--error", texts.error, "E",
+           fmt::format("As many rays in each pixel as keep it this near to the truth, as shown ({})",
+                       k_usual_error));
+  add_text(app, "--samples", texts.samples, "N",
+           "So many rays in every pixel, in place of an error; 1 is the pixel's centre");
   add_text(app, "--region", texts.region, "X0,Y0,X1,Y1", "Only these pixels; X1 and Y1 are excluded");
   app.add_flag(
       "--no-skip", texts.no_skip,
@@ -109,7 +114,12 @@ void read_script_options(const ScriptTexts& texts, session::RunOptions& run) {
 void read_picture_options(const PictureTexts& texts, tracer::Options& options) {
   if (!texts.size.empty()) read_size(texts.size, options);
   if (!texts.region.empty()) options.region = read_region(texts.region);
-  if (!texts.samples.empty()) {
+  if (!texts.error.empty() && !texts.samples.empty())
+    throw UsageError("--error and --samples exclude each other");
+  if (texts.samples.empty()) {
+    options.error = texts.error.empty() ? k_usual_error : read_error(texts.error);
+    options.samples = 0;
+  } else {
     options.samples = static_cast<int>(read_whole("--samples", texts.samples, 1, k_most_samples));
   }
   if (!texts.no_skip.empty()) options.skips = read_skips(texts.no_skip);

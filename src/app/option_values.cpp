@@ -37,6 +37,18 @@ std::int64_t read_whole(const std::string& option, const std::string& text, std:
   return value;
 }
 
+double read_error(const std::string& text) {
+  constexpr double k_least = 0.001, k_most = 1;
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, problem] = std::from_chars(text.data(), end, value);
+  if (problem != std::errc{} || rest != end || !(value >= k_least && value <= k_most)) {
+    throw UsageError(fmt::format("--error takes a number from {} to {}, such as 0.02; this is `{}`", k_least,
+                                 k_most, text));
+  }
+  return value;
+}
+
 void read_size(const std::string& text, tracer::Options& options) {
   const std::vector<std::string> parts = split_at_commas(text);
   if (parts.size() != 2)

@@ -20,6 +20,9 @@ struct UsageError : std::runtime_error {
 std::int64_t read_whole(const std::string& option, const std::string& text, std::int64_t lowest,
                         std::int64_t highest);
 
+/// A number in [0.001, 1]: an error in display units.
+double read_error(const std::string& text);
+
 /// "640,480", each from 1 to 65536, into columns and rows.
 void read_size(const std::string& text, tracer::Options& options);
 

@@ -28,13 +28,15 @@ PlanReport::Counts counted(const std::vector<T>& all, const std::array<const cha
   return out;
 }
 
-std::uint64_t pixels(const tracer::Options& options, int width, int height) {
-  if (!options.region) return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
-  const tracer::Region& r = *options.region;
+/// That are shot at the least.
+std::uint64_t primary_rays(const tracer::Options& options, int width, int height) {
+  const tracer::Region r = options.region.value_or(tracer::Region{0, 0, width, height});
   const auto side = [](int from, int to, int end) {
     return static_cast<std::uint64_t>(std::max(0, std::min(to, end) - std::min(from, end)));
   };
-  return side(r.x0, r.x1, width) * side(r.y0, r.y1, height);
+  const std::uint64_t columns = side(r.x0, r.x1, width), rows = side(r.y0, r.y1, height);
+  return options.samples > 0 ? columns * rows * static_cast<std::uint64_t>(options.samples)
+                             : tracer::least_samples(columns, rows);
 }
 
 PlanReport report_on(const session::Session& session, const PlanCommand& command, std::size_t view_index) {
@@ -50,7 +52,8 @@ PlanReport report_on(const session::Session& session, const PlanCommand& command
   out.width = command.options.columns.value_or(view.columns);
   out.height = command.options.rows.value_or(view.rows);
   out.samples = command.options.samples;
-  out.primary_rays = pixels(command.options, out.width, out.height) * static_cast<std::uint64_t>(out.samples);
+  out.error = command.options.error;
+  out.primary_rays = primary_rays(command.options, out.width, out.height);
   out.depth = plan.reflects || plan.transmits ? scene.settings.depth : 0;
   out.reflects = plan.reflects || (plan.transmits && plan.media);  // totally, where indices differ
   out.transmits = plan.transmits;
@@ -120,8 +123,9 @@ int run(const PlanCommand& command, const Console& console) {
 }  // namespace
 
 std::string to_text(const PlanReport& r) {
-  std::string out = fmt::format("view `{}` of {}: {} x {} pixels, {} samples each\n\n", r.view, r.file,
-                                r.width, r.height, r.samples);
+  std::string out = fmt::format("view `{}` of {}: {} x {} pixels, {}\n\n", r.view, r.file, r.width, r.height,
+                                r.samples > 0 ? fmt::format("{} samples each", r.samples)
+                                              : fmt::format("each to an error of {}", r.error));
   const auto line = [&](const char* name, const std::string& text) {
     out += fmt::format("  {:<13}{}\n", name, text);
   };
@@ -131,7 +135,10 @@ std::string to_text(const PlanReport& r) {
   if (!r.other_views.empty())
     line("other views", fmt::format("`{}`: not drawn", fmt::join(r.other_views, "`, `")));
   line("structure", fmt::format("a {} of {}", r.structure, r.things));
-  line("primary", fmt::format("{} rays", r.primary_rays));
+  line("primary",
+       r.samples > 0 ? fmt::format("{} rays", r.primary_rays)
+                     : fmt::format("{} rays for a first look, and more in the pixels that it leaves in doubt",
+                                   r.primary_rays));
   line("onward rays", onward_text(r));
   line("shadow rays", shadow_text(r));
   out += section(r, "left out", "skipped");

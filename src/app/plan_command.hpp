@@ -22,9 +22,11 @@ struct PlanReport {
 
   std::string file, view;
   std::vector<std::string> other_views;
-  int width = 0, height = 0, samples = 0;
-  std::uint64_t primary_rays = 0;
-  int depth = 0;  // of rays that go on; 0 where none does
+  int width = 0, height = 0;
+  int samples = 0;                 // of each pixel; 0: as many as each needs
+  double error = 0;                // asked for; 0: none
+  std::uint64_t primary_rays = 0;  // with an error: at the least
+  int depth = 0;                   // of rays that go on; 0 where none does
   bool reflects = false, transmits = false;
   std::string shadows;          // "none", "blocked", "filtered"
   std::string structure;        // "list", "tree"

@@ -204,17 +204,28 @@ std::string saved_text(const tracer::Stats& s) {
   return out.empty() ? out : fmt::format("  not shot       {}\n", out);
 }
 
+/// How the pixels came to their samples.
+std::string sampling_text(const RenderStats& stats) {
+  if (stats.samples > 0) return fmt::format("{} samples each", stats.samples);
+  const tracer::Stats& s = stats.tracer;
+  const auto pixels = static_cast<double>(std::max<std::uint64_t>(s.pixels, 1));
+  const auto percent = [&](std::uint64_t count) { return 100 * static_cast<double>(count) / pixels; };
+  return fmt::format("{:.2f} samples each for an error of {}; {:.1f}% refined, {:.1f}% along one edge",
+                     static_cast<double>(s.primary_rays) / pixels, stats.error, percent(s.refined_pixels),
+                     percent(s.edge_pixels));
+}
+
 std::string stats_text(const RenderStats& stats) {
   const tracer::Stats& s = stats.tracer;
   return fmt::format(
-      "view `{}`: {} x {} pixels, {} samples each, {} threads\n"
+      "view `{}`: {} x {} pixels, {}, {} threads\n"
       "  script         {} steps, {} shapes, {} lights\n"
       "  rays           {} primary, {} reflected, {} refracted, {} shadow\n"
       "{}"
       "  tests          {} of shapes, {} of nodes\n"
       "  surfaces       {} looked at for rays that go on, {} for open solids, {} colours of patterns\n"
       "  seconds        {:.3f} preparing, {:.3f} drawing, {:.3f} in all\n",
-      stats.view, stats.width, stats.height, stats.samples, s.threads, stats.steps, stats.shapes,
+      stats.view, stats.width, stats.height, sampling_text(stats), s.threads, stats.steps, stats.shapes,
       stats.lights, s.primary_rays, s.reflected_rays, s.refracted_rays, s.shadow_rays, saved_text(s),
       s.shape_tests, s.node_visits, s.branchings, s.medium_changes, s.pattern_lookups, s.build_seconds,
       s.render_seconds, stats.total_seconds);
@@ -233,6 +244,7 @@ void Renderer::tell(const Target& target, const tracer::Rendered& rendered, doub
                           width,
                           height,
                           command_.options.samples,
+                          command_.options.error,
                           steps_,
                           session_.scene().shapes.size(),
                           session_.scene().lights.size(),

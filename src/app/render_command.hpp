@@ -12,7 +12,9 @@ namespace lancer::app {
 /// What drawing one view took.
 struct RenderStats {
   std::string path, view;
-  int width = 0, height = 0, samples = 0;
+  int width = 0, height = 0;
+  int samples = 0;          // of each pixel; 0: as many as each needed
+  double error = 0;         // asked for; 0: none
   std::uint64_t steps = 0;  // of the script
   std::uint64_t shapes = 0, lights = 0;
   tracer::Stats tracer;

@@ -18,8 +18,10 @@ struct Region {
 struct Options {
   std::optional<int> columns, rows;  // in place of the view's size
   std::optional<Region> region;  // only this part; the image has its size, its pixels are those of the whole
-  int samples = 16;              // a pixel, stratified; 1 is the pixel's centre
-  int threads = 0;               // 0: as many as the machine has
+  /// A pixel, stratified; 1 is the pixel's centre. 0: as many in each as `error`, which then is not 0, asks
+  /// for.
+  int samples = 16;
+  int threads = 0;  // 0: as many as the machine has
   /// The error asked for of every pixel: the root mean square over its square, in display units (0 to 1,
   /// after exposure and the sRGB curve). 0: whatever `samples` give, nothing left out for being faint.
   double error = 0;
@@ -47,6 +49,9 @@ struct Stats {
   std::uint64_t lights_unanswered = 0;    // meets a surface that sends none of it back
   std::uint64_t lights_faint = 0;         // is too weak to show
   std::uint64_t rays_faint = 0;           // reflected and refracted rays too weak to show
+  std::uint64_t pixels = 0;               // of the image
+  std::uint64_t refined_pixels = 0;       // that more than the first look was needed for
+  std::uint64_t edge_pixels = 0;          // of these, in which one straight edge was found
   double build_seconds = 0, render_seconds = 0;
   int threads = 1;
 
@@ -57,7 +62,8 @@ struct Stats {
         &Stats::shadow_rays,   &Stats::shape_tests,         &Stats::node_visits,
         &Stats::branchings,    &Stats::medium_changes,      &Stats::pattern_lookups,
         &Stats::lights_behind, &Stats::lights_outside_cone, &Stats::lights_unanswered,
-        &Stats::lights_faint,  &Stats::rays_faint};
+        &Stats::lights_faint,  &Stats::rays_faint,          &Stats::refined_pixels,
+        &Stats::edge_pixels};
     for (const auto count : k_counts) this->*count += other.*count;
   }
 };

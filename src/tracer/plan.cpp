@@ -16,12 +16,14 @@
 namespace lancer::tracer {
 namespace {
 
+/// More than these are worth it to look which matter where.
+constexpr std::size_t k_few_lights = 4;
+
 using scene::Index;
 using scene::k_none;
 using Things = std::vector<Index>;
 
 constexpr std::size_t k_most_named = 3;
-constexpr double k_faint_part = 1.0 / 8;  // of the error asked for, that all that is faint may add up to
 
 class Planner {
  public:
@@ -59,6 +61,11 @@ class Planner {
   void plan_media();
   void plan_patterns();
   void plan_packets();
+  /// Do the scene and the view let rays go together?
+  bool suits_packets() const {
+    const bool in_solids = out_.media && view_.projection == scene::Projection::orthographic;
+    return scene_.settings.sum == scene::Sum::linear && !in_solids;
+  }
   void plan_tree();
   void plan_faint();
 
@@ -327,7 +334,6 @@ Things Planner::bright_shadows() const {
 /// Where more than a few lights have their limits, they are looked up by place. For lamps that fade a part of
 /// what may go missing is spent.
 void Planner::plan_light_cells() {
-  constexpr std::size_t k_few = 4;
   constexpr double k_part = 0.25;
   std::size_t spots = 0, fading = 0;
   for (const scene::Light& light : scene_.lights) {
@@ -337,7 +343,7 @@ void Planner::plan_light_cells() {
   LightCellPlan& cells = out_.light_cells;
   cells.spots = spots > 0 && may(Skip::dark_lights);
   const bool faint = fading > 0 && out_.faint_lights;
-  cells.used = (cells.spots ? spots : 0) + (faint ? fading : 0) > k_few;
+  cells.used = (cells.spots ? spots : 0) + (faint ? fading : 0) > k_few_lights;
   if (!cells.used) return;
   Aabb around = extent().bounded();
   for (const scene::Light& light : scene_.lights) {
@@ -358,6 +364,12 @@ void Planner::plan_faint() {
   if (!(options_.error > 0)) {
     decide(Skip::faint_rays, Verdict::needed, "no error is asked for");
     decide(Skip::faint_lights, Verdict::needed, "no error is asked for");
+    return;
+  }
+  if (suits_packets() && !out_.transmits && scene_.lights.size() <= k_few_lights) {
+    // They take less time than it would take to see which do not matter.
+    decide(Skip::faint_rays, Verdict::needed, "rays of neighbouring pixels are traced together");
+    decide(Skip::faint_lights, Verdict::needed, "rays of neighbouring pixels are traced together");
     return;
   }
   if (const Things bright = bright_shadows(); !bright.empty()) {

@@ -87,6 +87,9 @@ Plan plan(const scene::Scene& scene, const scene::View& view, const Options& opt
 /// 2`).
 std::string in_words(const scene::Scene& scene, const Decision& decision);
 
+/// Of the error asked for: all that is left out for being faint adds up to no more.
+inline constexpr double k_faint_part = 1.0 / 8;
+
 /// Up to this many primitives a list is asked faster than a tree; spheres, tested four at a time, and planes
 /// may be more, and so may things of all kinds where all rays go together.
 inline constexpr std::uint64_t k_longest_list = 4, k_longest_list_of_spheres = 8, k_longest_packet_list = 16;

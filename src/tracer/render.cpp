@@ -2,19 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
+#include <memory>
 #include <mutex>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
-#include <vector>
 
-#include "tracer/camera.hpp"
-#include "tracer/media.hpp"
 #include "tracer/origin.hpp"
-#include "tracer/packet/block.hpp"
-#include "tracer/radiance.hpp"
-#include "tracer/sample.hpp"
+#include "tracer/sampling/equal.hpp"
+#include "tracer/sampling/refine.hpp"
 
 namespace lancer::tracer {
 namespace {
@@ -23,201 +16,80 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// What all threads of one picture read.
-struct Job {
-  Tracing tracing;
-  Camera camera;
-  Region region;
-  int samples = 1;
-  std::vector<Surrounding> around_eye;  // where all rays start there
-  std::optional<PacketWorld> packets;   // where rays go together
-};
-
-/// One thread's way from pixels to colours.
-class PixelTracer {
+/// Tells the watcher of each band of rows that is complete.
+class Bands {
  public:
-  explicit PixelTracer(const Job& job) : job_(job), tracer_(job.tracing) {
-    if (job.packets) block_.emplace(*job.packets, job.tracing, tracer_);
-  }
-
-  /// The mean radiance of each pixel of the image's region, which has k_wave at the most, row by row; no
-  /// meaningful values once cancelled.
-  const Color* block(const Region& pixels) {
-    const int width = pixels.x1 - pixels.x0;
-    if (block_) {
-      add_together(pixels);
-    } else {
-      for (int y = pixels.y0; y < pixels.y1 && !job_.tracing.cancelled(); ++y) {
-        for (int x = pixels.x0; x < pixels.x1; ++x)
-          colors_[static_cast<std::size_t>((y - pixels.y0) * width + x - pixels.x0)] = pixel(x, y);
-      }
-    }
-    return colors_.data();
-  }
-
-  const Stats& stats() { return tracer_.stats(); }
-
- private:
-  /// In squares of 4 x 4 pixels, whose rays search together.
-  void add_together(const Region& pixels) {
-    colors_.fill({});
-    const int width = pixels.x1 - pixels.x0;
-    for (int i = 0; i < job_.samples && !job_.tracing.cancelled(); ++i) {
-      block_->clear();
-      for (int y0 = pixels.y0; y0 < pixels.y1; y0 += 4) {
-        for (int x0 = pixels.x0; x0 < pixels.x1; x0 += 4) {
-          for (int y = y0; y < std::min(y0 + 4, pixels.y1); ++y) {
-            for (int x = x0; x < std::min(x0 + 4, pixels.x1); ++x) {
-              const PixelPoint at = pixel_point(x, y, i, job_.samples);
-              block_->add_ray(job_.camera.ray(x + at.x, y + at.y),
-                              static_cast<std::size_t>((y - pixels.y0) * width + x - pixels.x0));
-            }
-          }
-        }
-      }
-      tracer_.stats().primary_rays += block_->size();
-      block_->add_radiance(job_.tracing.world->scene->settings.depth, colors_.data());
-    }
-    for (Color& c : colors_) c = {c.r / job_.samples, c.g / job_.samples, c.b / job_.samples};
-  }
-
-  /// The mean radiance of the pixel; no meaningful value once cancelled.
-  Color pixel(int column, int row) {
-    Color sum;
-    for (int i = 0; i < job_.samples && !job_.tracing.cancelled(); ++i) {
-      const PixelPoint at = pixel_point(column, row, i, job_.samples);
-      sum += tracer_.radiance(ray(column + at.x, row + at.y), job_.tracing.world->scene->settings.depth);
-      ++tracer_.stats().primary_rays;
-    }
-    return {sum.r / job_.samples, sum.g / job_.samples, sum.b / job_.samples};
-  }
-
-  Ray ray(double x, double y) {
-    const CameraRay from = job_.camera.ray(x, y);
-    Ray ray{from.origin, from.direction, 0, {}, {}};
-    if (job_.tracing.plan->media) {
-      const World& world = *job_.tracing.world;
-      ray.open =
-          job_.camera.has_one_origin()
-              ? open_at(world, job_.around_eye, ray.origin, ray.direction, tracer_.stats())
-              : open_at(world, solids_around(world, ray.origin), ray.origin, ray.direction, tracer_.stats());
-    }
-    return ray;
-  }
-
-  const Job& job_;
-  Tracer tracer_;
-  std::optional<BlockTracer> block_;
-  std::array<Color, k_wave> colors_;
-};
-
-float to_float(double radiance) {
-  return static_cast<float>(std::min(radiance, static_cast<double>(std::numeric_limits<float>::max())));
-}
-
-/// Hands tiles out in reading order, and tells the watcher of each band of rows that is complete.
-class Tiles {
- public:
-  Tiles(const Job& job, const Watch& watch, image::Image& image)
-      : job_(job),
-        watch_(watch),
+  Bands(const Watch& watch, const image::Image& image)
+      : watch_(watch),
         image_(image),
-        across_((image.width() + k_side - 1) / k_side),
-        down_((image.height() + k_side - 1) / k_side),
-        left_(static_cast<std::size_t>(down_)) {
-    for (std::atomic<int>& left : left_) left = across_;
-    next_.store(0, std::memory_order_release);
+        left_(static_cast<std::size_t>((image.height() + k_tile_side - 1) / k_tile_side)) {
+    for (std::atomic<int>& left : left_) left = (image.width() + k_tile_side - 1) / k_tile_side;
   }
 
-  /// Makes what the threads wrote visible to the caller.
-  void join() { const std::lock_guard lock(stats_mutex_); }
-
-  /// What one thread does until no tile is left. The counter's first value, which the constructor released,
-  /// orders everything made before the threads started.
-  void work(Stats& total) {
-    next_.load(std::memory_order_acquire);
-    PixelTracer tracer(job_);
-    while (!job_.tracing.cancelled()) {
-      const std::int64_t tile = next_.fetch_add(1, std::memory_order_relaxed);
-      if (tile >= std::int64_t{across_} * down_) break;
-      draw(tracer, static_cast<int>(tile % across_), static_cast<int>(tile / across_));
+  void done(const Tile& tile) {
+    if (left_[static_cast<std::size_t>(tile.y0 / k_tile_side)].fetch_sub(1) != 1) return;
+    if (watch_.rows) {
+      const std::lock_guard lock(mutex_);
+      watch_.rows(tile.y0, tile.y1, image_.row(tile.y0).data());
     }
-    const std::lock_guard lock(stats_mutex_);
-    total.add(tracer.stats());
+    complete_.fetch_add(1);
   }
 
-  bool finished() const { return bands_done_.load() == down_; }
+  bool all_done() const { return complete_.load() == left_.size(); }
 
  private:
-  static constexpr int k_side = 16;
-  static_assert(k_side * k_side <= k_wave);
-
-  void draw(PixelTracer& tracer, int tile_x, int tile_y) {
-    const int x1 = std::min(image_.width(), (tile_x + 1) * k_side);
-    const int y0 = tile_y * k_side, y1 = std::min(image_.height(), y0 + k_side);
-    const Region& all = job_.region;
-    const Color* color = tracer.block({all.x0 + tile_x * k_side, all.y0 + y0, all.x0 + x1, all.y0 + y1});
-    // A tile that was cut short stays black.
-    if (job_.tracing.cancelled()) return;
-    for (int y = y0; y < y1; ++y) {
-      for (int x = tile_x * k_side; x < x1; ++x, ++color) {
-        const auto out = image_.pixel(x, y);
-        out[0] = to_float(color->r);
-        out[1] = to_float(color->g);
-        out[2] = to_float(color->b);
-      }
-    }
-    if (left_[static_cast<std::size_t>(tile_y)].fetch_sub(1) != 1) return;
-    if (watch_.rows) {
-      const std::lock_guard lock(rows_mutex_);
-      watch_.rows(y0, y1, image_.row(y0).data());
-    }
-    bands_done_.fetch_add(1);
-  }
-
-  const Job& job_;
   const Watch& watch_;
-  image::Image& image_;
-  int across_, down_;
-  std::atomic<std::int64_t> next_{0};
+  const image::Image& image_;
   std::vector<std::atomic<int>> left_;  // tiles of each band
-  std::atomic<int> bands_done_{0};
-  std::mutex rows_mutex_, stats_mutex_;
+  std::atomic<std::size_t> complete_{0};
+  std::mutex mutex_;
 };
 
-/// The task of one thread. ThreadSanitizer does not see how TBB hands tasks over, so it is told not to look
-/// at how this one is read; what happens in work() is ordered by Tiles itself.
-struct Worker {
-  Tiles* tiles;
-  Stats* total;
-#if defined(__GNUC__)
-  __attribute__((no_sanitize("thread")))
-#endif
-  void
-  operator()() const {
-    tiles->work(*total);
-  }
-};
-
-/// Does the work where `threads` threads help, which may be more than the machine has.
-template <class Work>
-void with_threads(int threads, const Work& work) {
-  constexpr auto k_limit = tbb::global_control::max_allowed_parallelism;
-  const std::size_t now = tbb::global_control::active_value(k_limit);
-  const tbb::global_control limit(k_limit, std::max(now, static_cast<std::size_t>(threads)));
-  tbb::task_arena(threads).execute(work);
+/// What each thread does with `drawer`, one of its own.
+template <class Drawer>
+TileWork drawing(const Job& job, const std::shared_ptr<Drawer>& drawer, Bands& bands, image::Image& image) {
+  return [&job, drawer, &bands, &image](const Tile& tile) {
+    drawer->draw(tile, image);
+    if (!job.tracing.cancelled()) bands.done(tile);
+  };
 }
 
-/// Runs the worker on each of the threads.
-void on_threads(int threads, const Worker& worker) {
-  with_threads(threads, [&] {
-    tbb::task_group group;
-    for (int i = 1; i < threads; ++i) group.run(worker);
-    group.run_and_wait(worker);
-  });
+void draw_equally(const Job& job, int samples, Bands& bands, Rendered& out) {
+  const auto work = [&](ViewTracer& tracer) {
+    return drawing(job, std::make_shared<EqualDrawer>(tracer, samples), bands, out.image);
+  };
+  each_tile(job, out.image.width(), out.image.height(), work, out.stats);
+}
+
+void draw_to_error(const Job& job, double error, Bands& bands, Rendered& out) {
+  Lattice lattice(job.region);
+  const auto look = [&](ViewTracer& tracer) -> TileWork {
+    return [&](const Tile& tile) { lattice.sample(tile.x0, tile.y0, tile.x1, tile.y1, tracer); };
+  };
+  each_tile(job, lattice.columns(), lattice.rows(), look, out.stats);
+  if (job.tracing.cancelled()) return;
+  const Display display(job.tracing.plan->exposure);
+  // The rest is for what is left out for being faint.
+  const Demand demand{&display, error * (1 - k_faint_part)};
+  const auto work = [&](ViewTracer& tracer) {
+    return drawing(job, std::make_shared<RefiningDrawer>(tracer, lattice, demand), bands, out.image);
+  };
+  each_tile(job, out.image.width(), out.image.height(), work, out.stats);
+}
+
+Region region_of(const Options& options, int columns, int rows) {
+  if (!options.region) return {0, 0, columns, rows};
+  const Region& r = *options.region;
+  return {std::clamp(r.x0, 0, columns), std::clamp(r.y0, 0, rows), std::clamp(r.x1, 0, columns),
+          std::clamp(r.y1, 0, rows)};
 }
 
 }  // namespace
+
+std::uint64_t least_samples(std::uint64_t columns, std::uint64_t rows) {
+  if (columns == 0 || rows == 0) return 0;
+  return (columns + 3) * (rows + 3) + (columns + 2) * (rows + 2);
+}
 
 Rendered render(const scene::Scene& scene, const scene::View& view, const Options& options,
                 const Watch& watch) {
@@ -231,28 +103,24 @@ Rendered render(const scene::Scene& scene, const scene::View& view, const Option
                [&] { world = prepare(scene, world_origin(scene, view.eye), watch.cancel, needed.tree); });
   Job job{{&world, &needed, watch.cancel},
           Camera(view, columns, rows, world.origin),
-          {0, 0, columns, rows},
-          options.samples,
+          region_of(options, columns, rows),
           {},
           {}};
-  if (options.region) {
-    const Region& r = *options.region;
-    job.region = {std::clamp(r.x0, 0, columns), std::clamp(r.y0, 0, rows), std::clamp(r.x1, 0, columns),
-                  std::clamp(r.y1, 0, rows)};
-  }
   if (needed.media && job.camera.has_one_origin()) job.around_eye = solids_around(world, job.camera.eye());
-  // Rays that go together start in no solid whose medium matters.
   if (needed.packets && job.around_eye.empty()) job.packets.emplace(world, needed.shadows);
   out.stats.build_seconds = seconds_since(build_start);
 
   const auto render_start = std::chrono::steady_clock::now();
   out.image =
       image::Image(std::max(0, job.region.x1 - job.region.x0), std::max(0, job.region.y1 - job.region.y0));
-  Tiles tiles(job, watch, out.image);
-  on_threads(out.stats.threads, {&tiles, &out.stats});
-  tiles.join();
+  out.stats.pixels = out.image.data().size() / 3;
+  Bands bands(watch, out.image);
+  if (out.stats.pixels > 0) {
+    options.samples > 0 ? draw_equally(job, options.samples, bands, out)
+                        : draw_to_error(job, options.error, bands, out);
+  }
   out.stats.render_seconds = seconds_since(render_start);
-  out.cancelled = !tiles.finished();
+  out.cancelled = !bands.all_done();
   return out;
 }
 

@@ -7,6 +7,10 @@
 
 namespace lancer::tracer {
 
+/// The samples of a picture that is drawn to an error and in which no pixel is in doubt: those of the first
+/// look. The size in pixels; none has none.
+std::uint64_t least_samples(std::uint64_t columns, std::uint64_t rows);
+
 struct Rendered {
   image::Image image;
   Stats stats;

@@ -3,24 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/hash.hpp"
+
 namespace lancer::tracer {
 namespace {
-
-using Word = std::uint32_t;
-
-/// Mixes all bits into all bits (the finaliser of MurmurHash3).
-Word mixed(Word x) {
-  x ^= x >> 16;
-  x *= 0x85EBCA6BU;
-  x ^= x >> 13;
-  x *= 0xC2B2AE35U;
-  return x ^ (x >> 16);
-}
-
-Word hash(Word a, Word b) { return mixed(a * 0x9E3779B9U + mixed(b + 0x7F4A7C15U)); }
-
-/// In [0, 1).
-double fraction(Word bits) { return bits * 0x1p-32; }
 
 /// The place of i, 0 <= i < size, in the permutation of that many that `key` chooses: a keyed bijection of
 /// the next power of two, walked until it falls within the size (Kensler 2013).

@@ -59,6 +59,12 @@ TEST_CASE("command line: what is wrong is said in a line, with exit 2", "[app]")
         "lancer: --samples takes a whole number from 1 to 1048576; this is `0`");
   CHECK(complaint({scene, "--samples", "2.5"}) ==
         "lancer: --samples takes a whole number from 1 to 1048576; this is `2.5`");
+  for (const std::string wrong : {"0", "1.5", "nan", "0.02x", "-0.1"}) {
+    CHECK(complaint({scene, "--error=" + wrong}) ==
+          "lancer: --error takes a number from 0.001 to 1, such as 0.02; this is `" + wrong + "`");
+  }
+  CHECK(complaint({scene, "--error", "0.1", "--samples", "4"}) ==
+        "lancer: --error and --samples exclude each other");
   CHECK(complaint({scene, "--threads=-1"}) ==
         "lancer: --threads takes a whole number from 0 to 1024; this is `-1`");
   CHECK(complaint({scene, "--region", "1,2,3"}) == "lancer: --region takes X0,Y0,X1,Y1; this is `1,2,3`");

@@ -30,7 +30,7 @@ nlohmann::json skip(const nlohmann::json& report, const std::string& name) {
 TEST_CASE("plan: what is done, what is left out, and why", "[app][plan]") {
   test::Folder f;
   const std::string scene = f.write("a.scn", k_scene);
-  const Result r = run_program({"plan", scene, "--no-skip=tree"});
+  const Result r = run_program({"plan", scene, "--no-skip=tree", "--samples", "16"});
   CHECK(r.exit_code == 0);
   CHECK(r.err.empty());
   CHECK(r.out == "view `front` of " + scene + R"(: 12 x 8 pixels, 16 samples each
@@ -63,6 +63,23 @@ needed
 not needed, and done all the same for --no-skip
   tree         a tree of boxes, as 2 things are asked one by one
 )");
+}
+
+TEST_CASE("plan: to an error, the first look is told, and what may be too faint", "[app][plan]") {
+  test::Folder f;
+  const std::string scene = f.write("a.scn", k_scene);
+  const Result r = run_program({"plan", scene, "--error", "0.05"});
+  CHECK(run_program({"plan", scene}).out == r.out);
+  CHECK(r.out.find("view `front` of " + scene + ": 12 x 8 pixels, each to an error of 0.05\n") == 0);
+  // 15 x 11 corners and 14 x 10 pixels.
+  CHECK(r.out.find(
+            "  primary      305 rays for a first look, and more in the pixels that it leaves in doubt\n") !=
+        std::string::npos);
+  CHECK(r.out.find("  faint-rays   ") > r.out.find("left out where met"));
+  CHECK(r.out.find("  faint-rays   ") < r.out.find("\nneeded\n"));
+  const auto report = nlohmann::json::parse(run_program({"plan", scene, "--json", "--error", "0.05"}).out);
+  CHECK(report["samples"] == 0);
+  CHECK(report["error"] == 0.05);
 }
 
 TEST_CASE("plan: of the view, size and variables that are asked for, as JSON", "[app][plan]") {

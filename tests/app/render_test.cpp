@@ -288,7 +288,7 @@ TEST_CASE("render: the script itself is not written over", "[app][render]") {
 TEST_CASE("render: stats as text and as JSON", "[app][render]") {
   test::Folder f;
   const std::string scene = f.write("a.scn", k_scene);
-  const Result text = run_program({scene, "--stats", "--quiet"});
+  const Result text = run_program({scene, "--stats", "--quiet", "--samples", "16"});
   CHECK(text.out.empty());
   CHECK_THAT(text.err, ContainsSubstring("view `front`: 12 x 8 pixels, 16 samples each"));
   const Result json = run_program({scene, "--stats=json", "--quiet", "--samples", "4", "--threads", "1"});
@@ -302,6 +302,15 @@ TEST_CASE("render: stats as text and as JSON", "[app][render]") {
   CHECK(stats["shapes"] == 1);
   CHECK(stats["not_shot"]["lights_behind"] > 0);
   CHECK(stats["not_shot"]["rays_faint"] == 0);
+  const Result refined = run_program({scene, "--stats", "--quiet", "--error", "0.05"});
+  CHECK_THAT(refined.err, ContainsSubstring(" samples each for an error of 0.05; "));
+  CHECK_THAT(refined.err, ContainsSubstring("% refined, "));
+  const Result counted = run_program({scene, "--stats=json", "--quiet", "--error", "0.05"});
+  const auto counts = nlohmann::json::parse(counted.out);
+  CHECK(counts["samples"] == 0);
+  CHECK(counts["error"] == 0.05);
+  CHECK(counts["pixels_refined"] > 0);
+  CHECK(counts["pixels_refined"] <= 12 * 8);
   const Result both = run_program({scene, "--stats=json", "--quiet", "-o", "-"});
   CHECK(both.out.find(k_png) == 0);
   CHECK(nlohmann::json::parse(both.err)["file"] == "-");
@@ -311,11 +320,12 @@ TEST_CASE("render: without skips the picture is the same, and costs more", "[app
   test::Folder f;
   const std::string scene = f.write("a.scn", k_scene);
   const auto stats = [&](const std::string& out, const std::string& option) {
-    const Result r = run_program({scene, "--stats=json", "--quiet", "-o", f.path(out), option});
+    const Result r =
+        run_program({scene, "--stats=json", "--quiet", "--samples", "16", "-o", f.path(out), option});
     REQUIRE(r.exit_code == 0);
     return nlohmann::json::parse(r.out);
   };
-  const auto with = stats("a.pfm", "--samples=16"), without = stats("b.pfm", "--no-skip"),
+  const auto with = stats("a.pfm", "--threads=1"), without = stats("b.pfm", "--no-skip"),
              lights = stats("c.pfm", "--no-skip=dark-lights,zero-terms");
   CHECK(f.read("a.pfm") == f.read("b.pfm"));
   CHECK(f.read("a.pfm") == f.read("c.pfm"));
