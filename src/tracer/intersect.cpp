@@ -168,7 +168,8 @@ bool closest(const World& world, const Ray& ray, Stats& stats, Hit& hit) {
     const Candidate& only = *candidates.begin();
     land_on(world, ray, only, candidates.limit(), hit);
     const bool inside = !only.root.entering;
-    const bool joined = only.root.rim && encloses(*world.scene, hit.shape);
+    const bool joined =
+        world.primitives[hit.primitive].kind == Kind::facet && encloses(*world.scene, hit.shape);
     hit.contacts.push_back(
         {hit.primitive, hit.shape, only.root.face, inside, inside, false, joined, hit.normal});
   } else {

@@ -11,9 +11,9 @@
 #include "tracer/shapes/box.hpp"
 #include "tracer/shapes/ellipsoid.hpp"
 #include "tracer/shapes/facet.hpp"
-#include "tracer/shapes/plane.hpp"
-#include "tracer/shapes/sphere.hpp"
+#include "tracer/shapes/plane_roots.hpp"
 #include "tracer/shapes/sphere_quads.hpp"
+#include "tracer/shapes/sphere_roots.hpp"
 
 namespace lancer::tracer {
 

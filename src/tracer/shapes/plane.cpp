@@ -1,8 +1,7 @@
-#include "tracer/shapes/plane.hpp"
-
 #include "tracer/shapes/careful.hpp"
 #include "tracer/shapes/linear_form.hpp"
 #include "tracer/shapes/newton.hpp"
+#include "tracer/shapes/plane_roots.hpp"
 
 namespace lancer::tracer {
 namespace {

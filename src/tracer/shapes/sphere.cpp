@@ -1,7 +1,6 @@
-#include "tracer/shapes/sphere.hpp"
-
 #include "tracer/shapes/careful.hpp"
 #include "tracer/shapes/newton.hpp"
+#include "tracer/shapes/sphere_roots.hpp"
 
 namespace lancer::tracer {
 namespace {

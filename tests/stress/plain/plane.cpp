@@ -1,4 +1,4 @@
-#include "tracer/shapes/plane.hpp"
+#include "tracer/shapes/plane_roots.hpp"
 
 namespace lancer::tracer {
 

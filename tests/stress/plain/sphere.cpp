@@ -1,4 +1,4 @@
-#include "tracer/shapes/sphere.hpp"
+#include "tracer/shapes/sphere_roots.hpp"
 
 namespace lancer::tracer {
 
@@ -23,11 +23,6 @@ Landing land(const SpherePrimitive& sphere, Vec3 origin, Vec3 direction, const R
 Vec3 normal(const SpherePrimitive& sphere, Vec3 p) { return (p - sphere.center) / sphere.radius; }
 
 Vec3 project(const SpherePrimitive&, Vec3 p) { return p; }
-
-Aabb bounds(const SpherePrimitive& sphere) {
-  const Vec3 half{sphere.radius, sphere.radius, sphere.radius};
-  return Aabb{sphere.center - half, sphere.center + half}.padded(sphere.slack);
-}
 
 double side(const SpherePrimitive& sphere, Vec3 p) {
   const Vec3 f = p - sphere.center;
