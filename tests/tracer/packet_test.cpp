@@ -244,7 +244,7 @@ TEST_CASE("packet: with AVX2 and without, the same bits and the same work", "[pa
     Numbers error, t[2], root_error[2];
     Column<std::uint32_t> primitive;
     Words settled[2];
-    Found found[2];
+    FirstHits found[2];
   };
   const auto room = std::make_unique<Room>();
   for (const int count : {30, 300}) {
@@ -263,11 +263,11 @@ TEST_CASE("packet: with AVX2 and without, the same bits and the same work", "[pa
     avx2::find_closest(packets.scenery(), rays, room->found[1], work[1]);
     CHECK(work[0].node_visits == work[1].node_visits);
     CHECK(work[0].shape_tests == work[1].shape_tests);
-    const Found &a = room->found[0], &b = room->found[1];
+    const FirstHits &a = room->found[0], &b = room->found[1];
     std::size_t hits = 0;
     for (std::size_t i = 0; i < k_wave; ++i) {
       REQUIRE(a.seen[i] == b.seen[i]);
-      if (a.seen[i] != Seen::surface) continue;
+      if (a.seen[i] != Outlook::surface) continue;
       REQUIRE((a.primitive[i] == b.primitive[i] && a.t[i] == b.t[i] && a.error[i] == b.error[i] &&
                a.entering[i] == b.entering[i]));
       // Those on balls, one after the other.

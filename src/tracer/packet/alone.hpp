@@ -148,7 +148,7 @@ struct LoneClosest : Lone {
   }
   LANCER_INLINE void ask_leaf(const std::uint32_t* item) { ask_items(*this, item); }
 
-  LANCER_INLINE void tell(Found& out, std::size_t at) const {
+  LANCER_INLINE void tell(FirstHits& out, std::size_t at) const {
     int best = 0;
     for (int i = 1; i < 4; ++i) best = found.high[i] < found.high[best] ? i : best;
     double rival = k_infinity;
@@ -159,9 +159,9 @@ struct LoneClosest : Lone {
     out.t[at] = found.t[best];
     out.error[at] = found.error[best];
     const bool unclear = any(doubt) || (rival <= found.high[best] && rival < k_infinity);
-    out.seen[at] = unclear                                   ? Seen::in_doubt
-                   : found.primitive[best] != k_no_primitive ? Seen::surface
-                                                             : Seen::nothing;
+    out.seen[at] = unclear                                   ? Outlook::in_doubt
+                   : found.primitive[best] != k_no_primitive ? Outlook::surface
+                                                             : Outlook::nothing;
   }
 };
 
@@ -193,8 +193,8 @@ struct LoneBlocked : Lone {
   }
   LANCER_INLINE void ask_leaf(const std::uint32_t* item) { ask_items(*this, item); }
 
-  LANCER_INLINE void tell(Column<Seen>& seen, std::size_t at) const {
-    seen[at] = any(blocked) ? Seen::surface : any(doubt) ? Seen::in_doubt : Seen::nothing;
+  LANCER_INLINE void tell(Column<Outlook>& seen, std::size_t at) const {
+    seen[at] = any(blocked) ? Outlook::surface : any(doubt) ? Outlook::in_doubt : Outlook::nothing;
   }
 };
 
@@ -202,12 +202,12 @@ struct LoneBlocked : Lone {
 struct ClosestAlone {
   const Scenery& scenery;
   const RaysView& view;
-  Found& out;
+  FirstHits& out;
   Work& work;
 
   void operator()(std::size_t i) const {
     if (view.starts && view.starts->passes[i] != 0) {
-      out.seen[i] = Seen::in_doubt;
+      out.seen[i] = Outlook::in_doubt;
       return;
     }
     LoneClosest search(scenery, view, i, work);
@@ -218,13 +218,13 @@ struct ClosestAlone {
 struct BlockedAlone {
   const Scenery& scenery;
   const ShadowsView& view;
-  Column<Seen>& out;
+  Column<Outlook>& out;
   Work& work;
 
   void operator()(std::size_t i) const {
     if ((*view.asked)[i] == 0) return;
     if (view.rays.starts->passes[i] != 0) {
-      out[i] = Seen::in_doubt;
+      out[i] = Outlook::in_doubt;
       return;
     }
     LoneBlocked search(scenery, view, i, work);

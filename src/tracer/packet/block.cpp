@@ -14,7 +14,7 @@ BlockTracer::BlockTracer(const PacketWorld& packets, const Tracing& tracing, Tra
       single_(single),
       rays_(std::make_unique<Rays>()),
       next_(std::make_unique<Rays>()),
-      found_(std::make_unique<Found>()),
+      found_(std::make_unique<FirstHits>()),
       hits_(std::make_unique<Hits>()),
       lighting_(std::make_unique<Lighting>()) {}
 
@@ -57,11 +57,11 @@ void BlockTracer::sort_found(int depth) {
   std::array<std::array<std::uint16_t, k_wave>, k_grounds> on;
   std::array<std::size_t, k_grounds> count{};
   for (std::size_t i = 0; i < rays_->count; ++i) {
-    if (found_->seen[i] == Seen::surface) {
+    if (found_->seen[i] == Outlook::surface) {
       const auto kind =
           static_cast<std::size_t>(ground(world, static_cast<std::uint32_t>(found_->primitive[i])));
       on[kind][count[kind]++] = static_cast<std::uint16_t>(i);
-    } else if (found_->seen[i] == Seen::in_doubt) {
+    } else if (found_->seen[i] == Outlook::in_doubt) {
       follow_alone(i, depth);
     } else {
       sums_[rays_->pixel[i]] += rays_->share[i] * world.scene->settings.background;

@@ -41,7 +41,7 @@ class BlockTracer {
   Tracing tracing_;
   Tracer& single_;
   std::unique_ptr<Rays> rays_, next_;
-  std::unique_ptr<Found> found_;
+  std::unique_ptr<FirstHits> found_;
   std::unique_ptr<Hits> hits_;
   std::unique_ptr<Lighting> lighting_;
   Color* sums_ = nullptr;

@@ -91,9 +91,9 @@ void add_unblocked(const Tracing& tracing, const Scenery& scenery, Hits& hits, L
     if (room.asked[i] == 0) continue;
     const Color sent = room.sent[i];
     Color through = grey(1);
-    if (together && room.seen[i] != Seen::in_doubt) {
+    if (together && room.seen[i] != Outlook::in_doubt) {
       ++stats.shadow_rays;
-      through = grey(room.seen[i] == Seen::surface ? 0 : 1);
+      through = grey(room.seen[i] == Outlook::surface ? 0 : 1);
     } else if (plan.shadows != ShadowWork::none) {
       const Ray ray = ray_from(*tracing.world, hits.hit(*tracing.world, i), room.towards[i]);
       through = light_through(*tracing.world, plan.shadows, ray, room.distance[i], stats, plan.any_hit);

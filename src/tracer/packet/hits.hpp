@@ -60,7 +60,7 @@ struct Lighting {
   Words known, asked;
   Starts starts;
   Colors arriving, sent;
-  Column<Seen> seen;
+  Column<Outlook> seen;
 };
 
 /// Fills in what the surfaces at the hits are.

@@ -68,8 +68,8 @@ struct SentView {
 
 #define LANCER_PACKETS(TARGET)                                                                           \
   namespace TARGET {                                                                                     \
-  void find_closest(const Scenery&, const RaysView&, Found&, Work&);                                     \
-  void find_blocked(const Scenery&, const ShadowsView&, Column<Seen>&, Work&);                           \
+  void find_closest(const Scenery&, const RaysView&, FirstHits&, Work&);                                 \
+  void find_blocked(const Scenery&, const ShadowsView&, Column<Outlook>&, Work&);                        \
   void land_on_spheres(const Scenery&, const LandingView&);                                              \
   void land_across(const Scenery&, int axis, const LandingView&);                                        \
   void land_on_facets(const Scenery&, const LandingView&);                                               \

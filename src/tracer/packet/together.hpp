@@ -109,7 +109,7 @@ struct ClosestSearch : Group {
     }
   }
 
-  LANCER_INLINE void tell(Found& out) const {
+  LANCER_INLINE void tell(FirstHits& out) const {
     for (std::size_t k = 0; k < k_vectors; ++k) {
       const std::size_t at = first + 4 * k;
       store(&out.primitive[at], found[k].primitive);
@@ -119,9 +119,9 @@ struct ClosestSearch : Group {
       const unsigned unclear = bits(doubt[k] | found[k].has_rival());
       const unsigned met = bits(mask(found[k].primitive != masks(k_no_primitive)));
       for (std::size_t i = 0; i < 4; ++i) {
-        out.seen[at + i] = (unclear >> i & 1) != 0 ? Seen::in_doubt
-                           : (met >> i & 1) != 0   ? Seen::surface
-                                                   : Seen::nothing;
+        out.seen[at + i] = (unclear >> i & 1) != 0 ? Outlook::in_doubt
+                           : (met >> i & 1) != 0   ? Outlook::surface
+                                                   : Outlook::nothing;
       }
     }
   }
@@ -166,13 +166,13 @@ struct BlockedSearch : Group {
     }
   }
 
-  LANCER_INLINE void tell(Column<Seen>& seen) const {
+  LANCER_INLINE void tell(Column<Outlook>& seen) const {
     for (std::size_t k = 0; k < k_vectors; ++k) {
       const unsigned sure = bits(blocked[k]), unclear = bits(doubt[k]);
       for (std::size_t i = 0; i < 4; ++i) {
-        seen[first + 4 * k + i] = (sure >> i & 1) != 0      ? Seen::surface
-                                  : (unclear >> i & 1) != 0 ? Seen::in_doubt
-                                                            : Seen::nothing;
+        seen[first + 4 * k + i] = (sure >> i & 1) != 0      ? Outlook::surface
+                                  : (unclear >> i & 1) != 0 ? Outlook::in_doubt
+                                                            : Outlook::nothing;
       }
     }
   }

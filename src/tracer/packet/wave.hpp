@@ -58,11 +58,11 @@ struct Starts {
 };
 
 /// What a search says of a ray. Of a ray in doubt nothing is known: it is asked by itself.
-enum class Seen : std::uint8_t { nothing, surface, in_doubt };
+enum class Outlook : std::uint8_t { nothing, surface, in_doubt };
 
 /// The first surface of each ray.
-struct Found {
-  Column<Seen> seen;
+struct FirstHits {
+  Column<Outlook> seen;
   Words primitive;
   Words entering;    // all bits, or none
   Numbers t, error;  // of its root
