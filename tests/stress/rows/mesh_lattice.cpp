@@ -21,7 +21,6 @@ namespace lancer::stress::flat {
 namespace {
 
 constexpr int k_side = 4;  // cells each way
-constexpr std::uint32_t k_solid = 0;
 
 struct Cell {
   int at[3];
