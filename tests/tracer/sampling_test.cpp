@@ -163,18 +163,18 @@ TEST_CASE("sampling: where nothing happens, a pixel costs a corner and a look in
 
 TEST_CASE("sampling: of each picture at least 99 pixels in 100 are as near as was asked", "[sampling]") {
   const Scene s = still_life();
-  const Rendered truth = picture(s, front(60, 40), 1024);
+  const Rendered truth = picture(s, front(36, 24), 512);
   double cost = 0;
   for (const double error : {0.1, 0.05, 0.02}) {
     INFO(error);
-    const Rendered out = to_error(s, front(60, 40), error);
+    const Rendered out = to_error(s, front(36, 24), error);
     CHECK(part_within(out.image, truth.image, error) >= 0.99);
-    const double samples = static_cast<double>(out.stats.primary_rays) / 2400;
+    const double samples = static_cast<double>(out.stats.primary_rays) / (36 * 24);
     CHECK(samples > cost);
     cost = samples;
   }
   // The mean of 16 samples in each pixel is not as near.
-  CHECK(part_within(picture(s, front(60, 40), 16).image, truth.image, 0.02) < 0.99);
+  CHECK(part_within(picture(s, front(36, 24), 16).image, truth.image, 0.02) < 0.99);
 }
 
 TEST_CASE("sampling: light beyond what is shown needs no samples", "[sampling]") {
