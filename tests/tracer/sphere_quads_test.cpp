@@ -17,8 +17,7 @@ bool is_as_alone(const std::array<SpherePrimitive, 4>& spheres, const SphereQuad
     alone |= (meets ? 1U : 0U) << i;
   }
   const unsigned together = may_meet(quad, probe);
-  // GCC 12's AddressSanitizer breaks vectors of four without AVX.
-#if defined(LANCER_HAS_AVX2) && !defined(__SANITIZE_ADDRESS__)
+#if defined(LANCER_HAS_AVX2)
   if (baseline::may_meet(quad, probe) != together) return false;
 #endif
   // What exact arithmetic alone tells is left to it.

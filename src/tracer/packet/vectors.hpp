@@ -13,9 +13,6 @@
 
 namespace lancer::tracer::LANCER_TARGET {
 
-/// All bits of a lane are set, or none.
-using Mask [[gnu::vector_size(32)]] = long long;
-
 // In memory they are numbers one after the other.
 using StoredLanes [[gnu::vector_size(32), gnu::may_alias]] = double;
 using StoredMask [[gnu::vector_size(32), gnu::may_alias]] = long long;
@@ -25,10 +22,6 @@ LANCER_INLINE void store(double* aligned, Lanes a) { *reinterpret_cast<StoredLan
 LANCER_INLINE void store(long long* aligned, Mask a) { *reinterpret_cast<StoredMask*>(aligned) = a; }
 
 LANCER_INLINE Mask masks(long long bits) { return Mask{bits, bits, bits, bits}; }
-template <class Comparison>
-LANCER_INLINE Mask mask(Comparison comparison) {
-  return reinterpret_cast<Mask>(comparison);
-}
 
 LANCER_INLINE Lanes select(Mask where, Lanes yes, Lanes no) {
 #if defined(__AVX2__)
@@ -40,16 +33,6 @@ LANCER_INLINE Lanes select(Mask where, Lanes yes, Lanes no) {
 }
 LANCER_INLINE Mask select(Mask where, Mask yes, Mask no) { return (where & yes) | (~where & no); }
 
-/// A bit for each lane.
-LANCER_INLINE unsigned bits(Mask m) {
-#if defined(__AVX2__)
-  return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<Lanes>(m)));
-#else
-  unsigned out = 0;
-  for (int i = 0; i < 4; ++i) out |= m[i] != 0 ? 1U << i : 0U;
-  return out;
-#endif
-}
 LANCER_INLINE bool any(Mask m) { return bits(m) != 0; }
 
 /// As std::min and std::max.

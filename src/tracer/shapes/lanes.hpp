@@ -5,6 +5,8 @@
 // either, so everything is inlined.
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 #if defined(__AVX2__) && defined(__FMA__)
@@ -25,6 +27,9 @@ struct Lanes2 {
   Lanes hi, lo;
 };
 
+/// All bits of a lane are set, or none.
+using Mask [[gnu::vector_size(32)]] = long long;
+
 LANCER_INLINE Lanes lanes(Vec3 v, double more = 0) { return Lanes{v.x, v.y, v.z, more}; }
 LANCER_INLINE Lanes lanes(double s) { return Lanes{s, s, s, s}; }
 LANCER_INLINE Vec3 vec(Lanes v) { return {v[0], v[1], v[2]}; }
@@ -34,6 +39,23 @@ LANCER_INLINE Lanes abs(Lanes v) {
   return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(v) &
                                  Bits{k_but_sign, k_but_sign, k_but_sign, k_but_sign});
 }
+template <class Comparison>
+LANCER_INLINE Mask mask(Comparison comparison) {
+  return reinterpret_cast<Mask>(comparison);
+}
+/// A bit for each lane.
+LANCER_INLINE unsigned bits(Mask m) {
+#if defined(__AVX2__)
+  return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<Lanes>(m)));
+#else
+  // Of an array, as GCC 12's UBSan goes astray in a vector that a variable indexes.
+  unsigned out = 0;
+  const auto lanes_of = std::bit_cast<std::array<long long, 4>>(m);
+  for (std::size_t i = 0; i < 4; ++i) out |= lanes_of[i] != 0 ? 1U << i : 0U;
+  return out;
+#endif
+}
+
 /// Of the three components.
 LANCER_INLINE double sum(Lanes v) { return v[0] + v[1] + v[2]; }
 LANCER_INLINE double least(Lanes v) { return std::min(v[0], std::min(v[1], v[2])); }
