@@ -17,7 +17,7 @@ double slope_slack(const BoxPrimitive& box, int face) {
   return box.aligned ? 0 : 8 * k_u * box.reach[face / 2];
 }
 
-void set_slack(const BoxPrimitive& box, Vec3 direction, Landing& landing) {
+void set_slack(const BoxPrimitive& box, const Vec3& direction, Landing& landing) {
   const int face = landing.root.face;
   set_bounds(depth_slack(box, face), dot(row(box, face / 2), direction), slope_slack(box, face), landing);
 }
@@ -118,6 +118,30 @@ Roots roots_at(const BoxPrimitive& box, const Side& in, const Side& out, Vec3 ow
   return careful_landings(box, probe.origin, probe.direction, Detail::distances).roots();
 }
 
+/// The same for a ray's way out of the box.
+[[gnu::noinline, gnu::cold]] Root exit_by_clip(const BoxPrimitive& box, const Local& ray, Vec3 origin,
+                                               Vec3 direction) {
+  const Clip clip(box, ray);
+  if (!clip.knows_faces()) {
+    const Landings exactly = careful_landings(box, origin, direction, Detail::places);
+    if (exactly.count == 2 && exactly.at[1].root.t > 0) return exactly.at[1].root;
+  }
+  Root leave = root_at(box, clip.leave(), false, ray.direction[clip.leave().face / 2]);
+  leave.t = std::max(leave.t, 0.0);
+  return leave;
+}
+
+[[gnu::noinline, gnu::cold]] void land_carefully(const BoxPrimitive& box, Vec3 origin, Vec3 direction,
+                                                 const Root& root, Landing& landing) {
+  if (take(careful_landings(box, origin, direction, Detail::places), root.entering, landing)) {
+    snap(plane_of(box, landing.root.face), landing.point);
+  } else {
+    landing.root = root;
+    set_slack(box, direction, landing);
+    landing.point = project(box, origin + direction * root.t, root.face);
+  }
+}
+
 }  // namespace
 
 Roots roots(const BoxPrimitive& box, const Probe& probe) {
@@ -144,43 +168,38 @@ Roots roots(const BoxPrimitive& box, const Probe& probe) {
 }
 
 Root exit(const BoxPrimitive& box, Vec3 origin, Vec3 direction) {
-  const Local ray = to_frame(box, origin, direction);
-  const Vec3 inverse{1 / direction.x, 1 / direction.y, 1 / direction.z};
   Pairs pairs;
   Side in, out;
-  const bool found = box.aligned ? find_pairs_aligned(box, origin, direction, inverse, pairs)
-                                 : find_pairs_turned(ray, pairs);
-  if (!found || decide(pairs, in, out) != Answer::yes || !(out.t > 0)) {
-    const Clip clip(box, ray);
-    if (!clip.knows_faces()) {
-      const Landings exactly = careful_landings(box, origin, direction, Detail::places);
-      if (exactly.count == 2 && exactly.at[1].root.t > 0) return exactly.at[1].root;
-    }
-    out = clip.leave();
+  if (box.aligned) {
+    const Vec3 inverse{1 / direction.x, 1 / direction.y, 1 / direction.z};
+    const bool found = find_pairs_aligned(box, origin, direction, inverse, pairs) &&
+                       decide(pairs, in, out) == Answer::yes && out.t > 0;
+    return found ? root_at(box, out, false, direction[out.face / 2])
+                 : exit_by_clip(box, to_frame(box, origin, direction), origin, direction);
   }
-  Root leave = root_at(box, out, false, ray.direction[out.face / 2]);
-  leave.t = std::max(leave.t, 0.0);
-  return leave;
+  const Local ray = to_frame(box, origin, direction);
+  const bool found = find_pairs_turned(ray, pairs) && decide(pairs, in, out) == Answer::yes && out.t > 0;
+  return found ? root_at(box, out, false, ray.direction[out.face / 2])
+               : exit_by_clip(box, ray, origin, direction);
 }
 
 Landing land(const BoxPrimitive& box, Vec3 origin, Vec3 direction, const Root& root) {
-  Landing landing{root, 0, 0, {}, normal(box, root.face)};
-  const Planar plane = plane_of(box, root.face);
   const int axis = root.face / 2;
-  const bool settled = box.aligned ? land_quickly(Across{axis, plane.at[axis]}, origin, direction, landing)
-                                   : land_quickly(plane, origin, direction, landing);
+  Landing landing{root, 0, 0, {}, normal(box, root.face)};
+  bool settled;
+  if (box.aligned) {
+    const double at = root.face % 2 == 0 ? box.lo[axis] : box.hi[axis];
+    settled = land_quickly(Across{axis, at}, origin, direction, landing);
+  } else {
+    const Planar plane = plane_of(box, root.face);
+    settled = land_quickly(plane, origin, direction, landing);
+    snap(plane, landing.point);
+  }
   if (settled && landing.root.t > 0) {
-    if (!box.aligned) snap(plane, landing.point);
     set_slack(box, direction, landing);
-    return landing;
+  } else {
+    land_carefully(box, origin, direction, root, landing);
   }
-  if (take(careful_landings(box, origin, direction, Detail::places), root.entering, landing)) {
-    snap(plane_of(box, landing.root.face), landing.point);
-    return landing;
-  }
-  landing.root = root;
-  set_slack(box, direction, landing);
-  landing.point = project(box, origin + direction * root.t, root.face);
   return landing;
 }
 

@@ -1,4 +1,4 @@
-#include "tracer/shapes/landing.hpp"
+#include "tracer/shapes/newton.hpp"
 
 namespace lancer::tracer {
 namespace {
@@ -40,6 +40,11 @@ Vec3 unit(const Triple2& v) {
   }
   const DoubleDouble length = sqrt(square.sum());
   return {quotient(n[0], length), quotient(n[1], length), quotient(n[2], length)};
+}
+
+void snap_across(const Planar& plane, int axis, Vec3& point) {
+  const DoubleDouble off = DoubleDouble{plane.level, 0} / DoubleDouble{plane.n[axis], 0};
+  point[axis] = plane.level == 0 ? plane.at[axis] : (plane.at[axis] + off).hi;
 }
 
 }  // namespace lancer::tracer

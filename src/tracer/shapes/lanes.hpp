@@ -102,15 +102,22 @@ LANCER_INLINE Lanes2 exact_difference(Vec3 a, Vec3 b, double more = 0) {
   return {d.hi, d.lo};
 }
 
+using Pair [[gnu::vector_size(16)]] = double;
+LANCER_INLINE Pair lower(Lanes v) { return __builtin_shufflevector(v, v, 0, 1); }
+LANCER_INLINE Pair upper(Lanes v) { return __builtin_shufflevector(v, v, 2, 3); }
+
+/// The sum of four numbers and of what is small beside them.
+LANCER_INLINE DoubleDouble total(Lanes hi, Lanes low) {
+  const Sum<Pair> halves = exact_sum(lower(hi), upper(hi));
+  const Sum<double> all = exact_sum(halves.hi[0], halves.hi[1]);
+  const Pair rest = lower(low) + upper(low);
+  return {all.hi, all.lo + (halves.lo[0] + halves.lo[1]) + (rest[0] + rest[1])};
+}
 /// The sum of the four products a b as if in twice the precision (Ogita, Rump, Oishi: Dot2), off by
 /// 8 u^2 |a| |b| and the rounding of their low parts.
 LANCER_INLINE DoubleDouble total(Lanes2 a, Lanes2 b) {
   const Sum<Lanes> product = exact_product(a.hi, b.hi);
-  const Lanes low = product.lo + (a.hi * b.lo + a.lo * b.hi) + a.lo * b.lo;
-  const Sum<double> even = exact_sum(product.hi[0], product.hi[2]);
-  const Sum<double> odd = exact_sum(product.hi[1], product.hi[3]);
-  const Sum<double> all = exact_sum(even.hi, odd.hi);
-  return {all.hi, all.lo + (even.lo + odd.lo) + ((low[0] + low[2]) + (low[1] + low[3]))};
+  return total(product.hi, product.lo + (a.hi * b.lo + a.lo * b.hi) + a.lo * b.lo);
 }
 
 /// A distance as an unevaluated sum, and how far it may be off.

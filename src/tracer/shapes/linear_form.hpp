@@ -32,6 +32,8 @@ inline Root crossing(Bounded depth, Bounded slope, bool entering) {
 /// The bounds of a landing on a plane that may be off by `depth_slack` where the ray starts, and whose slope
 /// may be off by `slope_slack`.
 inline void set_bounds(double depth_slack, double slope, double slope_slack, Landing& landing) {
+  landing.root.error = 2 * k_u * std::fabs(landing.root.t);
+  if (depth_slack == 0 && slope_slack == 0) return;
   const double steep = std::fabs(1 / slope);
   landing.root.error = depth_slack * steep + 2 * k_u * std::fabs(landing.root.t);
   landing.tilt = slope_slack * steep;

@@ -26,13 +26,13 @@ struct Across {
   double at = 0;
 };
 
-#define LANCER_LANDINGS(TARGET)                                                \
-  namespace TARGET {                                                           \
-  bool land(const SpherePrimitive&, Vec3 origin, Vec3 direction, Landing&);    \
-  bool land(const EllipsoidPrimitive&, Vec3 origin, Vec3 direction, Landing&); \
-  bool land(const Planar&, Vec3 origin, Vec3 direction, Landing&);             \
-  bool land(const Across&, Vec3 origin, Vec3 direction, Landing&);             \
-  bool land(const FacetPrimitive&, Vec3 origin, Vec3 direction, Landing&);     \
+#define LANCER_LANDINGS(TARGET)                                                              \
+  namespace TARGET {                                                                         \
+  bool land(const SpherePrimitive&, const Vec3& origin, const Vec3& direction, Landing&);    \
+  bool land(const EllipsoidPrimitive&, const Vec3& origin, const Vec3& direction, Landing&); \
+  bool land(const Planar&, const Vec3& origin, const Vec3& direction, Landing&);             \
+  bool land(const Across&, const Vec3& origin, const Vec3& direction, Landing&);             \
+  bool land(const FacetPrimitive&, const Vec3& origin, const Vec3& direction, Landing&);     \
   }
 LANCER_LANDINGS(baseline)
 #if defined(LANCER_HAS_AVX2)
@@ -41,7 +41,7 @@ LANCER_LANDINGS(avx2)
 #undef LANCER_LANDINGS
 
 template <class Surface>
-bool land_quickly(const Surface& surface, Vec3 origin, Vec3 direction, Landing& landing) {
+bool land_quickly(const Surface& surface, const Vec3& origin, const Vec3& direction, Landing& landing) {
 #if defined(LANCER_HAS_AVX2)
   if (k_use_avx2) return avx2::land(surface, origin, direction, landing);
 #endif
@@ -49,12 +49,10 @@ bool land_quickly(const Surface& surface, Vec3 origin, Vec3 direction, Landing& 
 }
 
 /// The coordinate that all points of a plane across an axis share is what the plane says, and needs no ray.
+void snap_across(const Planar& plane, int axis, Vec3& point);
 inline void snap(const Planar& plane, Vec3& point) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (plane.n[(axis + 1) % 3] != 0 || plane.n[(axis + 2) % 3] != 0) continue;
-    const DoubleDouble off = DoubleDouble{plane.level, 0} / DoubleDouble{plane.n[axis], 0};
-    point[axis] = plane.level == 0 ? plane.at[axis] : (plane.at[axis] + off).hi;
-  }
+  const bool x = plane.n.x != 0, y = plane.n.y != 0, z = plane.n.z != 0;
+  if (x + y + z == 1) snap_across(plane, x ? 0 : (y ? 1 : 2), point);
 }
 
 }  // namespace lancer::tracer

@@ -17,15 +17,29 @@ double depth_slack(const PlanePrimitive& plane, double distance) {
 }
 double slope_slack(const PlanePrimitive& plane) { return plane.size * plane.normal_error; }
 
-void set_slack(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Landing& landing) {
+void set_slack(const PlanePrimitive& plane, const Vec3& origin, const Vec3& direction, Landing& landing) {
   set_bounds(depth_slack(plane, sum_abs(origin - plane.point)), dot(plane.normal, direction),
              slope_slack(plane), landing);
 }
 
-Landings careful_landings(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, Detail detail) {
+[[gnu::noinline, gnu::cold]] Landings careful_landings(const PlanePrimitive& plane, Vec3 origin,
+                                                       Vec3 direction, Detail detail) {
   Landings found = careful(plane, origin, direction, detail);
   set_slack(plane, origin, direction, found.at[0]);
   return found;
+}
+
+Planar planar(const PlanePrimitive& plane) { return {plane.normal, plane.level, plane.point}; }
+
+[[gnu::noinline, gnu::cold]] void land_carefully(const PlanePrimitive& plane, Vec3 origin, Vec3 direction,
+                                                 const Root& root, Landing& landing) {
+  if (take(careful_landings(plane, origin, direction, Detail::places), root.entering, landing)) {
+    snap(planar(plane), landing.point);
+  } else {
+    landing.root = root;
+    set_slack(plane, origin, direction, landing);
+    landing.point = project(plane, origin + direction * root.t);
+  }
 }
 
 Roots roots_with(const PlanePrimitive& plane, Bounded slope, Bounded depth, double distance) {
@@ -62,24 +76,15 @@ Roots tilted_roots(const PlanePrimitive& plane, const Probe& probe) {
 
 Landing land(const PlanePrimitive& plane, Vec3 origin, Vec3 direction, const Root& root) {
   Landing landing{root, 0, 0, {}, plane.unit_normal};
-  const Planar own{plane.normal, plane.level, plane.point};
-  if (plane.across >= 0) {
-    if (land_quickly(Across{plane.across, plane.point[plane.across]}, origin, direction, landing)) {
-      set_slack(plane, origin, direction, landing);
-      return landing;
-    }
-  } else if (land_quickly(own, origin, direction, landing)) {
-    snap(own, landing.point);
+  const bool settled = plane.across >= 0 ? land_quickly(Across{plane.across, plane.point[plane.across]},
+                                                        origin, direction, landing)
+                                         : land_quickly(planar(plane), origin, direction, landing);
+  if (settled) {
+    if (plane.across < 0) snap(planar(plane), landing.point);
     set_slack(plane, origin, direction, landing);
-    return landing;
+  } else {
+    land_carefully(plane, origin, direction, root, landing);
   }
-  if (take(careful_landings(plane, origin, direction, Detail::places), root.entering, landing)) {
-    snap(own, landing.point);
-    return landing;
-  }
-  landing.root = root;
-  set_slack(plane, origin, direction, landing);
-  landing.point = project(plane, origin + direction * root.t);
   return landing;
 }
 
