@@ -64,8 +64,10 @@ void append_little_endian(std::string& out, std::span<const float> row) {
 
 std::string encode_ppm(const Image& image, const ToneCurve& curve) {
   std::string out = header("P6", image, "255");
-  out.reserve(out.size() + image.data().size());
-  for (const float light : image.data()) out += static_cast<char>(curve.to_8bit(light));
+  const std::size_t first = out.size();
+  out.resize(first + image.data().size());
+  char* to = out.data() + first;
+  for (const float light : image.data()) *to++ = static_cast<char>(curve.to_8bit(light));
   return out;
 }
 

@@ -40,18 +40,6 @@ ToneCurve::ToneCurve(double exposure) : exposure_(exposure), first_(), cell_() {
   }
 }
 
-double ToneCurve::exposed(float light) const {
-  const double value = light * exposure_;
-  if (!(value > 0)) return 0;  // no number, too
-  return value < 1 ? value : 1;
-}
-
-std::uint8_t ToneCurve::to_8bit(float light) const {
-  const double value = exposed(light);
-  const std::size_t code = cell_[static_cast<std::size_t>(value * k_cells)];
-  return static_cast<std::uint8_t>(value >= first_[code + 1] ? code + 1 : code);
-}
-
 std::uint16_t ToneCurve::to_16bit(float light) const {
   const double value = exposed(light);
   const double rough = rough_srgb(value) * 65535;

@@ -4,6 +4,7 @@
 // or short cuts.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace lancer::image {
@@ -14,7 +15,11 @@ class ToneCurve {
   explicit ToneCurve(double exposure);
 
   /// The 8-bit code of linear light; no number counts as black.
-  std::uint8_t to_8bit(float light) const;
+  std::uint8_t to_8bit(float light) const {
+    const double value = exposed(light);
+    const std::size_t code = cell_[static_cast<std::size_t>(value * k_cells)];
+    return static_cast<std::uint8_t>(value >= first_[code + 1] ? code + 1 : code);
+  }
 
   /// The 16-bit code of linear light; no number counts as black.
   std::uint16_t to_16bit(float light) const;
@@ -24,7 +29,11 @@ class ToneCurve {
   // holds two of the places where the code changes.
   static constexpr int k_cells = 4096;
 
-  double exposed(float light) const;
+  double exposed(float light) const {
+    const double value = light * exposure_;
+    if (!(value > 0)) return 0;  // no number, too
+    return value < 1 ? value : 1;
+  }
 
   double exposure_;
   std::array<double, 257> first_;  // the least light that has the code; beyond the last, infinity
