@@ -85,12 +85,13 @@ class GroupSlabs {
       forwards |= active & ~negative;
       inverse.add(probes[k].inverse[axis], probes[k].active);
     }
-    const std::size_t upper = backwards != 0 ? 1 : 0;
+    const bool both = forwards != 0 && backwards != 0;
+    const std::size_t upper = backwards != 0 && !both ? 1 : 0;
     near_side_[a] = 2 * a + upper;
     far_side_[a] = 2 * a + 1 - upper;
-    if (forwards != 0 && backwards != 0) {
-      // In both ways: this axis bounds nothing.
-      const Floats none = splat(0);
+    if (both) {
+      // This axis bounds nothing but places without a child, whose sides are infinite.
+      const Floats none = splat(0x1p-100F);
       ends_[a] = {End{none, splat(static_cast<float>(-k_huge)), splat(static_cast<float>(k_huge))},
                   End{none, splat(static_cast<float>(-k_huge)), splat(static_cast<float>(k_huge))}};
       return;
