@@ -281,12 +281,11 @@ void Planner::plan_patterns() {
   }
 }
 
-/// Rays of neighbouring pixels go together until they meet a surface that may send on two, and where what a
-/// ray does does not depend on what others of its pixel brought.
+/// Rays of neighbouring pixels go together where what a ray does does not depend on what others of its pixel
+/// brought.
 void Planner::plan_packets() {
-  const Things clear = shapes_with([](auto& w, auto& t) { return t.transmission ? w.any : k_none; });
-  const auto by_itself = [&](std::string reason, const Things& things = {}) {
-    decide(Skip::single_rays, Verdict::needed, std::move(reason), things);
+  const auto by_itself = [&](std::string reason) {
+    decide(Skip::single_rays, Verdict::needed, std::move(reason));
   };
   if (scene_.settings.sum != scene::Sum::linear) {
     by_itself("the sum of terms is not linear");
@@ -298,9 +297,6 @@ void Planner::plan_packets() {
     by_itself("lights are looked up by place");
   } else if (!may(Skip::dark_lights) || !may(Skip::zero_terms)) {
     by_itself("lights are asked even where they are dark");
-  } else if (out_.transmits) {
-    out_.packets = leave_out(Skip::single_rays, "until it meets {}, where light may go on in two ways", clear,
-                             Thing::Kind::shape, Verdict::as_met);
   } else {
     out_.packets = leave_out(Skip::single_rays, "rays of neighbouring pixels are traced together");
   }
@@ -308,6 +304,7 @@ void Planner::plan_packets() {
 
 void Planner::plan_tree() {
   const std::string many = std::to_string(has_.primitives);
+  // What lets light through is met by many rays that go different ways.
   const bool all_together = out_.packets && !out_.transmits;
   const std::uint64_t longest = all_together                   ? k_longest_packet_list
                                 : has_.only_spheres_and_planes ? k_longest_list_of_spheres

@@ -107,7 +107,7 @@ Rendered render(const scene::Scene& scene, const scene::View& view, const Option
           {},
           {}};
   if (needed.media && job.camera.has_one_origin()) job.around_eye = solids_around(world, job.camera.eye());
-  if (needed.packets && job.around_eye.empty()) job.packets.emplace(world, needed.shadows);
+  if (needed.packets && job.around_eye.empty()) job.packets.emplace(world, needed);
   out.stats.build_seconds = seconds_since(build_start);
 
   const auto render_start = std::chrono::steady_clock::now();

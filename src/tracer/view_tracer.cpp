@@ -17,13 +17,9 @@ void ViewTracer::trace_together(std::span<const ScreenPoint> points, std::span<C
   const int depth = job_.tracing.world->scene->settings.depth;
   for (std::size_t first = 0; first < points.size() && !job_.tracing.cancelled(); first += k_wave) {
     const std::size_t count = std::min(points.size() - first, k_wave);
-    const std::span<Color> sums = out.subspan(first, count);
-    std::fill(sums.begin(), sums.end(), Color{});
-    block_->clear();
-    for (std::size_t i = 0; i < count; ++i)
-      block_->add_ray(job_.camera.ray(points[first + i].x, points[first + i].y), i);
+    block_->add_rays(job_.camera, points.subspan(first, count));
     tracer_.stats().primary_rays += count;
-    block_->add_radiance(depth, sums.data());
+    block_->radiances(depth, out.subspan(first, count));
   }
 }
 

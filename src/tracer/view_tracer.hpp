@@ -12,11 +12,6 @@
 
 namespace lancer::tracer {
 
-/// In pixels from the view's left and top edge; a pixel's centre lies at halves.
-struct ScreenPoint {
-  double x = 0, y = 0;
-};
-
 /// What all threads of one picture read.
 struct Job {
   Tracing tracing;

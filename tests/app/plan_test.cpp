@@ -46,10 +46,10 @@ TEST_CASE("plan: what is done, what is left out, and why", "[app][plan]") {
 
 left out
   patterns     patterned colours that no term needs, as nothing wears one
+  single-rays  tracing each ray by itself, as rays of neighbouring pixels are traced together
 
 left out where met
   dark-lights  shadow rays to lights that are black, behind the surface or aimed elsewhere
-  single-rays  tracing each ray by itself (until it meets `ball`, where light may go on in two ways)
   zero-terms   lights at points that send none of them back
 
 needed

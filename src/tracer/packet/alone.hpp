@@ -1,7 +1,7 @@
 #pragma once
 // Single rays, for which four primitives are asked at a time. Compiled in the namespace LANCER_TARGET.
 
-#include "tracer/packet/seekers.hpp"
+#include "tracer/packet/passing.hpp"
 #include "tracer/tree/slabs8.hpp"
 #include "tracer/tree/walk.hpp"
 
@@ -27,10 +27,19 @@ struct Lone {
     probes.kz = own.kz;
     probes.shear_x = lanes(own.shear_x);
     probes.shear_y = lanes(own.shear_y);
-    start = {masks(k_no_primitive), masks(k_no_primitive), lanes(0.0), lanes(0.0)};
+    start.set_none();
     if (!view.starts) return;
-    start = {masks(view.starts->primitive[i]), masks(view.starts->shape[i]), lanes(view.starts->rise[i]),
-             lanes(view.starts->error[i])};
+    start.primitive = masks(view.starts->primitive[i]);
+    start.shape = masks(view.starts->shape[i]);
+    start.rise = lanes(view.starts->rise[i]);
+    start.error = lanes(view.starts->error[i]);
+    if (!view.open) return;
+    const OpenRow& row = view.open[view.starts->open[i]];
+    if (!row.is_whole) doubt = masks(-1);
+    for (std::size_t k = 0; k < OpenRow::k_most && row.shape[k] >= 0; ++k) {
+      start.open[k] = masks(row.shape[k]);
+      start.most_open = k + 1;
+    }
   }
 
   LANCER_INLINE const Probe& probe() const { return own; }
@@ -97,8 +106,11 @@ LANCER_INLINE void ask_list(Search& search, const Get& get) {
       Batch one;
       one.add(primitive);
       const Mask there = one.fill();
+      const std::uint32_t record = s.primitives[primitive].record;
       if (kind == Kind::plane) {
-        ask_batch(search, s.planes[s.primitives[primitive].record], one, there);
+        ask_batch(search, s.planes[record], one, there);
+      } else if (kind == Kind::box) {
+        ask_batch(search, s.boxes[record], one, there);
       } else {
         ask_batch(search, Other{*s.world, primitive}, one, there);
       }
@@ -134,7 +146,11 @@ struct LoneClosest : Lone {
   First found;
 
   LANCER_INLINE LoneClosest(const Scenery& s, const RaysView& view, std::size_t i, Work& w)
-      : Lone(s, view, i, w) {}
+      : Lone(s, view, i, w) {
+    if (!view.starts || view.starts->passes[i] == 0) return;
+    const Mask lane = Mask{-1, 0, 0, 0};
+    found.begin(lane, masks(view.exits->primitive[i]), lanes(view.exits->t[i]), lanes(view.exits->error[i]));
+  }
 
   LANCER_INLINE bool ignores(std::uint32_t) const { return false; }
   LANCER_INLINE bool is_over() const { return false; }
@@ -165,12 +181,19 @@ struct LoneClosest : Lone {
   }
 };
 
+template <bool k_filters>
 struct LoneBlocked : Lone {
   Lanes distance;
   Mask blocked = masks(0);
+  Passed passed;
 
   LANCER_INLINE LoneBlocked(const Scenery& s, const ShadowsView& view, std::size_t i, Work& w)
-      : Lone(s, view.rays, i, w), distance(lanes((*view.distance)[i])) {}
+      : Lone(s, view.rays, i, w), distance(lanes((*view.distance)[i])) {
+    if (view.rays.starts->passes[i] == 0) return;
+    const Outlook outlook = way_out_to_light(s, view, i, k_filters ? &passed : nullptr);
+    if (outlook == Outlook::surface) blocked = masks(-1);
+    if (outlook == Outlook::in_doubt) doubt = masks(-1);
+  }
 
   LANCER_INLINE bool ignores(std::uint32_t primitive) const {
     return scenery.shade[primitive] == Shade::none;
@@ -179,22 +202,43 @@ struct LoneBlocked : Lone {
   LANCER_INLINE double limit() const { return distance[0]; }
   template <class Surface>
   LANCER_INLINE void take(const Surface& surface, Mask ids, Crossings& c) {
-    Mask filtered = masks(0);
-    for (int i = 0; i < 4; ++i) {
-      // One that lets light through is no answer here.
-      if (scenery.shade[ids[i]] == Shade::filtered) filtered[i] = -1;
-    }
-    const Mask met = c.met;
-    c.met &= ~filtered;
-    blocked |= surely_black(Shade::black, surface, probes, distance, c);
-    c.met = met & filtered;
-    surely_black(Shade::filtered, surface, probes, distance, c);
+    const Mask sure = surely_before(surface, probes, distance, c);
+    Mask black = masks(-1);
+    if constexpr (k_filters) black = pass(surface, ids, sure, c);
+    blocked |= sure & black;
     doubt |= c.doubt;
   }
   LANCER_INLINE void ask_leaf(const std::uint32_t* item) { ask_items(*this, item); }
 
-  LANCER_INLINE void tell(Column<Outlook>& seen, std::size_t at) const {
-    seen[at] = any(blocked) ? Outlook::surface : any(doubt) ? Outlook::in_doubt : Outlook::nothing;
+  LANCER_INLINE void tell(const ShadowsSeen& out, std::size_t at) const {
+    (*out.seen)[at] = any(blocked) ? Outlook::surface : any(doubt) ? Outlook::in_doubt : Outlook::nothing;
+    if constexpr (k_filters) passed.tell(*out.filters, at);
+  }
+
+ private:
+  /// Notes the solids that the ray goes through; those that let nothing through are returned.
+  template <class Surface>
+  LANCER_INLINE Mask pass(const Surface& surface, Mask ids, Mask sure, Crossings& c) {
+    Mask black = masks(0), filters = masks(0);
+    for (int i = 0; i < 4; ++i) {
+      const Shade shade = scenery.shade[ids[i]];
+      if (shade == Shade::black) black[i] = -1;
+      if (shade == Shade::filtered) filters[i] = -1;
+    }
+    c.doubt |= sure & ~(black | filters);
+    const Mask through = sure & filters;
+    if (!any(through)) return black;
+    if constexpr (k_is_solid<Surface>) {
+      const unsigned twice = bits(surely_through(surface, probes, distance, through, c));
+      const unsigned some = bits(through & ~c.doubt);
+      for (int i = 0; i < 4; ++i) {
+        if ((some >> i & 1) == 0) continue;
+        if (!passed.add(static_cast<std::uint32_t>(ids[i]), (twice >> i & 1) != 0)) c.doubt[i] = -1;
+      }
+    } else {
+      c.doubt |= through;
+    }
+    return black;
   }
 };
 
@@ -206,7 +250,7 @@ struct ClosestAlone {
   Work& work;
 
   void operator()(std::size_t i) const {
-    if (view.starts && view.starts->passes[i] != 0) {
+    if (view.starts && view.starts->passes[i] != 0 && view.exits->known[i] == 0) {
       out.seen[i] = Outlook::in_doubt;
       return;
     }
@@ -215,19 +259,20 @@ struct ClosestAlone {
     search.tell(out, i);
   }
 };
+template <bool k_filters>
 struct BlockedAlone {
   const Scenery& scenery;
   const ShadowsView& view;
-  Column<Outlook>& out;
+  const ShadowsSeen& out;
   Work& work;
 
   void operator()(std::size_t i) const {
     if ((*view.asked)[i] == 0) return;
-    if (view.rays.starts->passes[i] != 0) {
-      out[i] = Outlook::in_doubt;
+    if (view.rays.starts->passes[i] != 0 && view.rays.exits->known[i] == 0) {
+      (*out.seen)[i] = Outlook::in_doubt;
       return;
     }
-    LoneBlocked search(scenery, view, i, work);
+    LoneBlocked<k_filters> search(scenery, view, i, work);
     search_alone(search);
     search.tell(out, i);
   }

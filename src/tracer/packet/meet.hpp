@@ -11,8 +11,13 @@ struct Crossings {
   Mask met, doubt;
   Lanes t, error;
   Mask entering;
-  Mask crossed;  // of facets: surely met ahead or behind
+  Mask crossed;  // of solids and facets: surely met ahead or behind
   Lanes slope;   // of facets: how steeply the ray meets it
+  /// Of convex solids: by how much, at the least, the line's crossings lie beside the surface's tangent plane
+  /// at the start.
+  Lanes clear;
+  Lanes out_t, out_error;  // of convex solids, where entering: of the way out
+  Mask face;               // of boxes, in the place where with_face() has it
 };
 
 /// False: no ray meets it.
@@ -35,8 +40,15 @@ LANCER_INLINE bool meet(const Spheres& sphere, const Probes& p, Mask asked, Cros
   out.entering = mask(near > lanes(0.0));
   out.t = select(out.entering, near, far);
   out.error = error;
-  out.met = may & certain & mask(out.t > lanes(0.0));
+  out.crossed = may & certain;
+  out.met = out.crossed & mask(out.t > lanes(0.0));
   out.doubt = may & ~certain;
+  out.out_t = far;
+  out.out_error = error;
+  // What is left of the normal's cosine, half the chord to the radius, whatever the rounding.
+  const Lanes cosine =
+      select(mask(discriminant > lanes(16.0) * doubt), lanes(0.5) * half_chord / r, lanes(0.0));
+  out.clear = (lesser(abs(near), abs(far)) - error) * cosine;
   return true;
 }
 
@@ -130,19 +142,21 @@ LANCER_INLINE bool meet(const Facets& f, const Probes& p, Mask asked, Crossings&
 
 /// One by one.
 LANCER_INLINE bool meet(const Other& other, const Probes& p, Mask asked, Crossings& out) {
-  out.met = out.doubt = out.entering = masks(0);
+  out.met = out.crossed = out.doubt = out.entering = masks(0);
+  out.clear = lanes(0.0);
   for (int i = 0; i < 4; ++i) {
     if (asked[i] == 0) continue;
     const FirstRoot first =
         first_root(other.world, other.primitive, {p.origin.x[i], p.origin.y[i], p.origin.z[i]},
                    {p.direction.x[i], p.direction.y[i], p.direction.z[i]});
     out.met[i] = first.met ? -1 : 0;
+    out.crossed[i] = first.crossed ? -1 : 0;
     out.doubt[i] = first.in_doubt ? -1 : 0;
     out.entering[i] = first.entering ? -1 : 0;
     out.t[i] = first.t;
     out.error[i] = first.error;
   }
-  return any(out.met | out.doubt);
+  return any(out.met | out.crossed | out.doubt);
 }
 
 }  // namespace lancer::tracer::LANCER_TARGET

@@ -8,7 +8,18 @@
 
 namespace lancer::tracer {
 
-PacketWorld::PacketWorld(const World& world, ShadowWork shadows) {
+namespace {
+
+Shade shade_of(const World& world, const Primitive& p, ShadowWork shadows) {
+  const scene::Texture& transmission = world.material_of(p.shape).transmission;
+  if (!world.scene->shapes[p.shape].shadow) return Shade::none;
+  if (shadows != ShadowWork::filtered || is_black(*world.scene, transmission)) return Shade::black;
+  return is_convex_solid(p.kind) && transmission.pattern == scene::k_none ? Shade::filtered : Shade::unclear;
+}
+
+}  // namespace
+
+PacketWorld::PacketWorld(const World& world, const Plan& plan) : looks_(Looks::of(world, plan)) {
   scenery_.world = &world;
   if (!world.tree.nodes().empty()) {
     scenery_.nodes = world.tree.nodes().data();
@@ -24,14 +35,10 @@ PacketWorld::PacketWorld(const World& world, ShadowWork shadows) {
   scenery_.spheres = world.spheres.data();
   scenery_.planes = world.planes.data();
   scenery_.facets = world.facets.data();
+  scenery_.boxes = world.boxes.data();
   scenery_.has_facets = !world.facets.empty();
   for (const Primitive& p : world.primitives) {
-    const bool clear = !is_black(*world.scene, world.material_of(p.shape).transmission);
-    const bool casts = world.scene->shapes[p.shape].shadow;
-    shade_.push_back(!casts                                     ? Shade::none
-                     : clear && shadows == ShadowWork::filtered ? Shade::filtered
-                                                                : Shade::black);
-    splits_.push_back(clear ? 1 : 0);
+    shade_.push_back(shade_of(world, p, plan.shadows));
   }
   scenery_.shade = shade_.data();
 }
@@ -40,12 +47,17 @@ FirstRoot first_root(const World& world, std::uint32_t primitive, Vec3 origin, V
   const Roots found = roots(world, primitive, Probe(origin, direction));
   FirstRoot first;
   first.in_doubt = found.passes;
+  first.crossed = found.count == 2;
   for (int i = 0; i < found.count && !first.met && !first.in_doubt; ++i) {
     const Root& root = found.root[i];
     if (!(root.t > 0)) continue;
-    first = {!root.loose, root.loose, root.entering, root.t, root.error};
+    first = {!root.loose, root.loose, root.entering, first.crossed, root.t, root.error};
   }
   return first;
+}
+
+Root way_out(const World& world, std::uint32_t primitive, Vec3 origin, Vec3 direction) {
+  return exit(world, primitive, origin, direction);
 }
 
 void own_bounds(const World& world, std::uint32_t primitive, double* box) {
@@ -56,14 +68,15 @@ void own_bounds(const World& world, std::uint32_t primitive, double* box) {
   }
 }
 
-bool land_alone(const World& world, const Ray& ray, std::uint32_t primitive, Hit& hit) {
+bool land_alone(const World& world, const Ray& ray, std::uint32_t primitive, bool exits, Hit& hit) {
   const Probe probe(ray);
-  const Roots found = roots(world, primitive, probe);
+  const Roots found = exits ? Roots{1, {exit(world, primitive, ray.origin, ray.direction), {}}}
+                            : roots(world, primitive, probe);
   const Root* root = nullptr;
   for (int i = 0; i < found.count && !root; ++i) root = found.root[i].t > 0 ? &found.root[i] : nullptr;
   if (!root) return false;
   Candidates candidates;
-  const Interval own = own_interval(world, primitive, probe);
+  const Interval own = exits ? k_anywhere : own_interval(world, primitive, probe);
   if (!(own.enter <= own.leave)) return false;
   candidates.add(primitive, *root, own);
   if (candidates.empty()) return false;

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "tracer/packet/meet.hpp"
+#include "tracer/packet/meet_box.hpp"
 #include "tracer/tree/walk.hpp"
 
 namespace lancer::tracer::LANCER_TARGET {
@@ -14,9 +15,39 @@ namespace lancer::tracer::LANCER_TARGET {
 struct Start {
   Mask primitive, shape;
   Lanes rise, error;
+  std::array<Mask, OpenRow::k_most> open;  // as many as are used
+  std::size_t most_open;
+
+  LANCER_INLINE void set_none() {
+    primitive = shape = masks(k_no_primitive);
+    rise = error = lanes(0.0);
+    most_open = 0;
+  }
+
+  /// Those that are inside of too many are returned.
+  LANCER_INLINE Mask set_open(const RaysView& view, std::size_t at) {
+    const Mask rows = load(&view.starts->open[at]);
+    if (!any(rows != masks(0))) return masks(0);
+    Mask too_many = masks(0);
+    for (int i = 0; i < 4; ++i) {
+      const OpenRow& row = view.open[rows[i]];
+      if (!row.is_whole) too_many[i] = -1;
+      for (std::size_t k = 0; k < OpenRow::k_most; ++k) {
+        open[k][i] = row.shape[k];
+        if (row.shape[k] >= 0) most_open = std::max(most_open, k + 1);
+      }
+    }
+    return too_many;
+  }
+
+  LANCER_INLINE Mask is_inside(std::uint32_t asked_shape) const {
+    Mask inside = masks(0);
+    for (std::size_t i = 0; i < most_open; ++i) inside |= mask(open[i] == masks(asked_shape));
+    return inside;
+  }
 
   /// Next to its start a ray that leaves a mesh may meet it where is_echo() has to tell, and any closed mesh,
-  /// or a convex solid that it seems to start in, where roots_ahead() has to: those crossings are in doubt.
+  /// or a convex solid that it seems to start in, where ahead() has to: those crossings are in doubt.
   LANCER_INLINE void doubt_near(const Scenery& s, std::uint32_t asked, const Facets&, Mask where,
                                 Crossings& c) const {
     const Mask same = mask(shape == masks(s.primitives[asked].shape));
@@ -27,9 +58,16 @@ struct Start {
   LANCER_INLINE void doubt_near(const Scenery&, std::uint32_t, const PlanePrimitive&, Mask,
                                 Crossings&) const {}
   template <class ConvexSolid>
-  LANCER_INLINE void doubt_near(const Scenery&, std::uint32_t, const ConvexSolid&, Mask where,
+  LANCER_INLINE void doubt_near(const Scenery& s, std::uint32_t asked, const ConvexSolid&, Mask where,
                                 Crossings& c) const {
-    leave_open(where & c.met & ~c.entering & mask(error != lanes(0.0)), c);
+    const Mask rounded = where & mask(error != lanes(0.0));
+    Mask unclear = c.met & ~c.entering & ~mask(c.clear > error);
+    if (most_open > 0) {
+      // Of a solid that it is inside of it meets the way out, wherever that seems to be.
+      const Mask inside = is_inside(s.primitives[asked].shape);
+      unclear = select(inside, c.crossed & (c.entering | ~c.met), unclear);
+    }
+    leave_open(rounded & unclear, c);
   }
 
  private:
@@ -54,19 +92,25 @@ struct First {
     high = select(better, c_high, high);
     t = select(better, c.t, t);
     error = select(better, c.error, error);
-    primitive = select(better, which, primitive);
+    primitive = select(better, which | c.face, primitive);
     entering = select(better, c.entering, entering);
+  }
+  /// What it starts on and leaves by an exit, before anything else was asked.
+  LANCER_INLINE void begin(Mask where, Mask which, Lanes exit_t, Lanes exit_error) {
+    t = select(where, exit_t, t);
+    error = select(where, exit_error, error);
+    low = select(where, exit_t - exit_error, low);
+    high = select(where, exit_t + exit_error, high);
+    primitive = select(where, which, primitive);
   }
   LANCER_INLINE Mask has_rival() const { return mask(rival <= high) & mask(rival < lanes(k_infinity)); }
 };
 
-/// Which of the crossings surely lie before the light and leave nothing of it; the others that may lie there
-/// go to c.doubt.
+/// Which of the crossings surely lie before the light and count; where that is open they are in c.doubt.
 template <class Surface>
-LANCER_INLINE Mask surely_black(Shade shade, const Surface& surface, const Probes& p, Lanes distance,
-                                Crossings& c) {
+LANCER_INLINE Mask surely_before(const Surface& surface, const Probes& p, Lanes distance, Crossings& c) {
   const Mask may = c.met & ~mask(c.t - c.error >= distance);
-  Mask sure = may & mask(c.t + c.error < distance) & masks(shade == Shade::black ? -1 : 0);
+  Mask sure = may & mask(c.t + c.error < distance);
   if (any(sure)) {
     // Where the crossing lies within the surface's own bounds, within() leaves it where it is.
     const Intervals own = own_interval(surface, p);
@@ -75,6 +119,29 @@ LANCER_INLINE Mask surely_black(Shade shade, const Surface& surface, const Probe
   c.doubt |= may & ~sure;
   return sure;
 }
+
+/// Of crossings that surely lie before the light: where the ray goes out again before it, too. Where that is
+/// open, or the two might be at one place, they are in c.doubt.
+template <class Surface>
+LANCER_INLINE Mask surely_through(const Surface& surface, const Probes& p, Lanes distance, Mask sure,
+                                  Crossings& c) {
+  const Mask may = sure & c.entering & ~mask(c.out_t - c.out_error >= distance);
+  Mask through = may & mask(c.out_t + c.out_error < distance) & mask(c.t + c.error < c.out_t - c.out_error);
+  if (any(through)) {
+    const Intervals own = own_interval(surface, p);
+    through &= mask(own.enter <= c.out_t) & mask(c.out_t <= own.leave);
+  }
+  c.doubt |= may & ~through;
+  return through;
+}
+
+/// Kinds whose two crossings are known together.
+template <class Surface>
+inline constexpr bool k_is_solid = false;
+template <>
+inline constexpr bool k_is_solid<Spheres> = true;
+template <>
+inline constexpr bool k_is_solid<BoxPrimitive> = true;
 
 /// A child that rays may meet, and where: as one number, so that the nearest is the least.
 class Waiting {
@@ -140,8 +207,8 @@ LANCER_INLINE void with_surface(const Scenery& s, std::uint32_t primitive, const
     case Kind::sphere: return ask(four_times(s.spheres[p.record]));
     case Kind::plane: return ask(s.planes[p.record]);
     case Kind::facet: return ask(four_times(s.facets[p.record]));
-    case Kind::ellipsoid:
-    case Kind::box: return ask(Other{*s.world, primitive});
+    case Kind::box: return ask(s.boxes[p.record]);
+    case Kind::ellipsoid: return ask(Other{*s.world, primitive});
   }
 }
 

@@ -97,6 +97,13 @@ LANCER_INLINE Facets facets(const Scenery& s, const std::uint32_t* four) {
           Mask{flipped(0), flipped(1), flipped(2), flipped(3)}};
 }
 
+/// As along_ray().
+LANCER_INLINE Lanes along_rays(Lanes shift, Lanes radius, Lanes half_chord) {
+  const Lanes rise = shift * radius;
+  const Mask steep = mask(half_chord > lanes(0.0)) & mask(lanes(2.0) * half_chord * half_chord >= rise);
+  return shift + select(steep, rise / half_chord, square_root(lanes(2.0) * rise));
+}
+
 /// One of any other kind.
 struct Other {
   const World& world;
@@ -151,6 +158,10 @@ LANCER_INLINE Intervals own_interval(const Facets& f, const Probes& p) {
 
 LANCER_INLINE Intervals own_interval(const PlanePrimitive&, const Probes&) {
   return {lanes(0.0), lanes(k_infinity)};
+}
+LANCER_INLINE Intervals own_interval(const BoxPrimitive& box, const Probes& p) {
+  const Aabb own = bounds(box);
+  return interval(vectors(own.lo), vectors(own.hi), p);
 }
 LANCER_INLINE Intervals own_interval(const Other& other, const Probes& p) {
   double box[6];

@@ -2,7 +2,7 @@
 // Groups of rays that search together: every primitive is asked for all of them. Compiled in the namespace
 // LANCER_TARGET.
 
-#include "tracer/packet/seekers.hpp"
+#include "tracer/packet/passing.hpp"
 #include "tracer/packet/slabs.hpp"
 #include "tracer/tree/walk.hpp"
 
@@ -31,12 +31,11 @@ struct Group {
       const auto left = static_cast<long long>(view.count) - static_cast<long long>(at);
       p.active = mask(Mask{0, 1, 2, 3} < masks(left));
       doubt[k] = masks(0);
-      start[k] = {masks(k_no_primitive), masks(k_no_primitive), lanes(0.0), lanes(0.0)};
-      if (!view.starts) continue;
-      start[k] = {load(&view.starts->primitive[at]), load(&view.starts->shape[at]),
-                  load(&view.starts->rise[at]), load(&view.starts->error[at])};
-      doubt[k] = load(&view.starts->passes[at]) & p.active;
-      p.active &= ~doubt[k];
+      if (view.starts) {
+        set_start(view, k, at);
+      } else {
+        start[k].set_none();
+      }
     }
   }
 
@@ -67,6 +66,18 @@ struct Group {
 
  private:
   static constexpr std::uint64_t k_worth = 10, k_node = 3;
+
+  LANCER_INLINE void set_start(const RaysView& view, std::size_t k, std::size_t at) {
+    const Starts& from = *view.starts;
+    start[k].primitive = load(&from.primitive[at]);
+    start[k].shape = load(&from.shape[at]);
+    start[k].rise = load(&from.rise[at]);
+    start[k].error = load(&from.error[at]);
+    start[k].most_open = 0;
+    doubt[k] = load(&from.passes[at]) & ~load(&view.exits->known[at]) & probes[k].active;
+    if (view.open) doubt[k] |= start[k].set_open(view, at) & probes[k].active;
+    probes[k].active &= ~doubt[k];
+  }
 };
 
 /// Asks a primitive which rays meet it, and tells `take(k, surface, crossings)`.
@@ -90,7 +101,16 @@ struct ClosestSearch : Group {
   std::array<First, k_vectors> found;
 
   LANCER_INLINE ClosestSearch(const Scenery& s, const RaysView& view, std::size_t from, Work& w)
-      : Group(s, view, from, w) {}
+      : Group(s, view, from, w) {
+    if (!view.starts) return;
+    for (std::size_t k = 0; k < k_vectors; ++k) {
+      const std::size_t at = first + 4 * k;
+      const Mask exits = load(&view.starts->passes[at]) & probes[k].active;
+      if (!any(exits)) continue;
+      found[k].begin(exits, load(&view.exits->primitive[at]), load(&view.exits->t[at]),
+                     load(&view.exits->error[at]));
+    }
+  }
 
   LANCER_INLINE bool is_over() const { return is_too_much(); }
   LANCER_INLINE double limit() const {
@@ -128,9 +148,11 @@ struct ClosestSearch : Group {
 };
 
 /// Is anything that casts a shadow in between?
+template <bool k_filters>
 struct BlockedSearch : Group {
   std::array<Lanes, k_vectors> distance;
   std::array<Mask, k_vectors> blocked;
+  std::array<Passed, k_filters ? k_group : 0> passed;
   bool all_known = false;
 
   LANCER_INLINE BlockedSearch(const Scenery& s, const ShadowsView& view, std::size_t from, Work& w)
@@ -141,6 +163,7 @@ struct BlockedSearch : Group {
       doubt[k] &= asked;
       distance[k] = load(&(*view.distance)[from + 4 * k]);
       blocked[k] = masks(0);
+      go_out(view, k);
     }
   }
 
@@ -150,10 +173,20 @@ struct BlockedSearch : Group {
     const Shade shade = scenery.shade[primitive];
     if (shade == Shade::none) return;
     ask(*this, primitive, [&](std::size_t k, const auto& surface, Crossings& c) {
-      const Mask sure = surely_black(shade, surface, probes[k], distance[k], c);
+      using Surface = std::remove_cvref_t<decltype(surface)>;
+      Mask sure = surely_before(surface, probes[k], distance[k], c);
+      if (shade == Shade::black) {
+        blocked[k] |= sure;
+      } else if constexpr (k_filters && k_is_solid<Surface>) {
+        if (shade == Shade::unclear) c.doubt |= sure;
+        sure &= ~c.doubt;
+        const Mask twice = surely_through(surface, probes[k], distance[k], sure, c);
+        pass(k, primitive, sure & ~c.doubt, twice, c);
+      } else {
+        c.doubt |= sure;
+      }
       doubt[k] |= c.doubt;
-      blocked[k] |= sure;
-      probes[k].active &= ~(sure | doubt[k]);
+      probes[k].active &= ~(blocked[k] | doubt[k]);
     });
     Mask left = masks(0);
     for (const Probes& p : probes) left |= p.active;
@@ -166,14 +199,41 @@ struct BlockedSearch : Group {
     }
   }
 
-  LANCER_INLINE void tell(Column<Outlook>& seen) const {
+  LANCER_INLINE void tell(const ShadowsSeen& out) const {
+    Column<Outlook>& seen = *out.seen;
     for (std::size_t k = 0; k < k_vectors; ++k) {
       const unsigned sure = bits(blocked[k]), unclear = bits(doubt[k]);
       for (std::size_t i = 0; i < 4; ++i) {
         seen[first + 4 * k + i] = (sure >> i & 1) != 0      ? Outlook::surface
                                   : (unclear >> i & 1) != 0 ? Outlook::in_doubt
                                                             : Outlook::nothing;
+        if constexpr (k_filters) passed[4 * k + i].tell(*out.filters, first + 4 * k + i);
       }
+    }
+  }
+
+ private:
+  /// The way out of what the rays start on.
+  LANCER_INLINE void go_out(const ShadowsView& view, std::size_t k) {
+    const std::size_t at = first + 4 * k;
+    const unsigned exits = bits(load(&view.rays.starts->passes[at]) & probes[k].active);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if ((exits >> i & 1) == 0) continue;
+      Passed* const through = k_filters ? &passed[4 * k + i] : nullptr;
+      const Outlook outlook = way_out_to_light(scenery, view, at + i, through);
+      if (outlook == Outlook::nothing) continue;
+      Mask& found = outlook == Outlook::surface ? blocked[k] : doubt[k];
+      found[static_cast<int>(i)] = -1;
+      probes[k].active[static_cast<int>(i)] = 0;
+    }
+  }
+
+  /// Notes that rays go through the primitive; those that have gone through too many are in doubt.
+  LANCER_INLINE void pass(std::size_t k, std::uint32_t primitive, Mask which, Mask twice, Crossings& c) {
+    const unsigned some = bits(which), both = bits(twice);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if ((some >> i & 1) == 0 || passed[4 * k + i].add(primitive, (both >> i & 1) != 0)) continue;
+      c.doubt[static_cast<int>(i)] = -1;
     }
   }
 };

@@ -48,13 +48,35 @@ struct Colors {
 
 inline constexpr long long k_no_primitive = -1;
 
+/// A primitive and, of a box, its face, in one word.
+constexpr long long with_face(std::uint32_t primitive, int face) {
+  return static_cast<long long>(face) << 32 | static_cast<long long>(primitive);
+}
+constexpr std::uint32_t primitive_of(long long word) { return static_cast<std::uint32_t>(word); }
+constexpr std::uint8_t face_of(long long word) { return static_cast<std::uint8_t>(word >> 32); }
+
 /// What a ray that leaves one surface, or none, remembers of its start; see Contact.
 struct Starts {
   Numbers error;    // the ray's origin_error
   Words primitive;  // that it leaves; k_no_primitive: none
   Words shape;      // of that one
   Numbers rise;     // |normal . direction| there
-  Words passes;     // all bits: it runs inside a convex solid
+  Words passes;     // all bits: it runs inside the convex solid that it starts on
+  Words open;       // its open solids, as a place in the table of those
+};
+
+/// Where rays leave the convex solids that they start on and run inside of.
+struct Exits {
+  Numbers t, error;
+  Words primitive;  // with its face
+  Words known;      // all bits; none: to be asked by itself
+};
+
+/// A list of open solids for kernels: no more than a few shapes, or it is left to single rays.
+struct OpenRow {
+  static constexpr std::size_t k_most = 4;
+  std::array<long long, k_most> shape{-1, -1, -1, -1};  // -1: none
+  bool is_whole = true;
 };
 
 /// What a search says of a ray. Of a ray in doubt nothing is known: it is asked by itself.
@@ -63,13 +85,21 @@ enum class Outlook : std::uint8_t { nothing, surface, in_doubt };
 /// The first surface of each ray.
 struct FirstHits {
   Column<Outlook> seen;
-  Words primitive;
+  Words primitive;   // with its face
   Words entering;    // all bits, or none
   Numbers t, error;  // of its root
 };
 
-/// What a primitive's shadow is: none, black, or what its transmission leaves.
-enum class Shade : std::uint8_t { none, black, filtered };
+/// What a primitive's shadow is: none, black, what its one transmission leaves each time it is crossed, or
+/// for single rays to tell.
+enum class Shade : std::uint8_t { none, black, filtered, unclear };
+
+/// The solids of one transmission that shadow rays go through.
+struct Filters {
+  static constexpr std::size_t k_most = 4;
+  Column<std::uint8_t> count;
+  Column<std::array<std::uint32_t, k_most>> crossed;  // 2 primitive, + 1 where both in and out
+};
 
 /// What kernels read of the world.
 struct Scenery {
@@ -84,6 +114,7 @@ struct Scenery {
   const SpherePrimitive* spheres = nullptr;
   const PlanePrimitive* planes = nullptr;
   const FacetPrimitive* facets = nullptr;
+  const BoxPrimitive* boxes = nullptr;
   const Shade* shade = nullptr;  // of each primitive
   bool has_facets = false;
 };

@@ -4,25 +4,27 @@
 
 namespace lancer::tracer {
 
-PacketWorld::PacketWorld(const World&, ShadowWork) {}
+PacketWorld::PacketWorld(const World&, const Plan&) {}
+OpenLists::OpenLists(const World& world) : world_(world) {}
 
 BlockTracer::BlockTracer(const PacketWorld& packets, const Tracing& tracing, Tracer& single)
-    : packets_(packets), tracing_(tracing), single_(single), rays_(std::make_unique<Rays>()) {}
+    : packets_(packets), tracing_(tracing), single_(single), lists_(*tracing.world) {}
 
 BlockTracer::~BlockTracer() = default;
 
-void BlockTracer::add_ray(const CameraRay& ray, std::size_t pixel) {
-  const std::size_t i = rays_->count++;
-  rays_->origin.set(i, ray.origin);
-  rays_->direction.set(i, ray.direction);
-  rays_->pixel[i] = static_cast<std::uint16_t>(pixel);
+void BlockTracer::add_rays(const Camera& camera, std::span<const ScreenPoint> points) {
+  for (const ScreenPoint& point : points) {
+    const CameraRay ray = camera.ray(point.x, point.y);
+    late_.push_back({{ray.origin, ray.direction, 0, {}, {}}, grey(1), 0});
+  }
 }
 
-void BlockTracer::add_radiance(int depth, Color* sums) {
-  for (std::size_t i = 0; i < rays_->count && !tracing_.cancelled(); ++i) {
-    const Ray ray{rays_->origin[i], rays_->direction[i], 0, {}, {}};
-    single_.follow(ray, grey(1), depth, sums[rays_->pixel[i]]);
+void BlockTracer::radiances(int depth, std::span<Color> out) {
+  for (std::size_t i = 0; i < out.size() && !tracing_.cancelled(); ++i) {
+    out[i] = {};
+    single_.follow(late_[i].ray, late_[i].share, depth, out[i]);
   }
+  late_.clear();
 }
 
 }  // namespace lancer::tracer
