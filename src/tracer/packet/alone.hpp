@@ -213,6 +213,9 @@ struct LoneBlocked : Lone {
   LANCER_INLINE void tell(const ShadowsSeen& out, std::size_t at) const {
     (*out.seen)[at] = any(blocked) ? Outlook::surface : any(doubt) ? Outlook::in_doubt : Outlook::nothing;
     if constexpr (k_filters) passed.tell(*out.filters, at);
+    const bool clear = !any(blocked) && !any(doubt) && !(k_filters && passed.count > 0);
+    (*out.lit)[at] = clear ? -1 : 0;
+    work.unclear += !any(blocked) && !clear ? 1 : 0;
   }
 
  private:
@@ -267,9 +270,11 @@ struct BlockedAlone {
   Work& work;
 
   void operator()(std::size_t i) const {
+    (*out.lit)[i] = 0;
     if ((*view.asked)[i] == 0) return;
     if (view.rays.starts->passes[i] != 0 && view.rays.exits->known[i] == 0) {
       (*out.seen)[i] = Outlook::in_doubt;
+      ++work.unclear;
       return;
     }
     LoneBlocked<k_filters> search(scenery, view, i, work);

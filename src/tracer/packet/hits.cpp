@@ -5,14 +5,6 @@
 namespace lancer::tracer {
 namespace {
 
-/// A colour, hit by hit.
-template <class Get>
-void paint(Colors& to, std::size_t count, const Get& get) {
-  for (std::size_t i = 0; i < count; ++i) to.r[i] = get(i).r;
-  for (std::size_t i = 0; i < count; ++i) to.g[i] = get(i).g;
-  for (std::size_t i = 0; i < count; ++i) to.b[i] = get(i).b;
-}
-
 /// Where the surface depends on the point.
 void find_surface(const Tracing& tracing, Hits& hits, std::size_t i, bool follow, Stats& stats) {
   const scene::Scene& scene = *tracing.world->scene;
@@ -88,16 +80,15 @@ void find_surfaces(const Tracing& tracing, const Looks& looks, Hits& hits, bool 
   }
   stats.lights_unanswered +=
       unanswered * (plan.every_light ? tracing.world->lights.size() : plan.lights.size());
+  // Patterns may have any of them.
+  hits.any_specular = hits.any_specular || !all_plain;
+  hits.any_transmission = hits.any_transmission || !all_plain;
   LANCER_ON_TARGET(face_rays(hits.normal, hits.entering, hits.facing, count));
-  paint(hits.own, count, [&](std::size_t i) { return paints[i]->own; });
-  paint(hits.diffuse, count, [&](std::size_t i) { return paints[i]->diffuse; });
-  paint(hits.specular, count, [&](std::size_t i) { return paints[i]->specular; });
-  if (follow) {
-    paint(hits.reflection, count, [&](std::size_t i) { return paints[i]->reflection; });
-    paint(hits.transmission, count, [&](std::size_t i) { return paints[i]->transmission; });
-  }
+  LANCER_ON_TARGET(paint(paints.data(),
+                         {&hits.own, &hits.diffuse, &hits.specular, follow ? &hits.reflection : nullptr,
+                          follow && hits.any_transmission ? &hits.transmission : nullptr},
+                         count));
   if (all_plain) return;
-  hits.any_specular = hits.any_transmission = true;
   for (std::size_t i = 0; i < count; ++i) {
     if (hits.there[i] != 0 && !looks.primitives[hits.primitive[i]].is_plain)
       find_surface(tracing, hits, i, follow, stats);

@@ -5,6 +5,7 @@
 
 #include "base/color.hpp"
 #include "tracer/camera.hpp"
+#include "tracer/packet/looks.hpp"
 #include "tracer/packet/wave.hpp"
 #include "tracer/processor.hpp"
 
@@ -31,6 +32,7 @@ struct ShadowsView {
 /// What came of them; `filters` where nothing is in the way but what lets light through.
 struct ShadowsSeen {
   Column<Outlook>* seen;
+  Words* lit;  // all bits: asked, and nothing at all is in the way
   Filters* filters;
 };
 
@@ -50,6 +52,15 @@ struct LandingView {
   Vec3s* point;
   Vec3s* normal;
   Words* settled;
+};
+
+/// Where the colours of hits go; null: not needed.
+struct PaintView {
+  Colors* own;
+  Colors* diffuse;
+  Colors* specular;
+  Colors* reflection;
+  Colors* transmission;
 };
 
 /// A light as hits see it; `known` is none where a lane has to be asked by itself.
@@ -72,6 +83,7 @@ struct LightView {
 
 /// Where light goes on through surfaces, between the refractive indices `from` and `to`; see optics.hpp.
 struct BentView {
+  const Words* asked;  // all bits: rays go on
   const Vec3s* direction;
   const Vec3s* facing;  // the normal that faces the ray
   const Numbers* from;
@@ -127,6 +139,7 @@ struct TurnedView {
   Words* passes;
 };
 
+// Those that return a bool tell whether `known`, or `certain`, is all bits wherever it counts.
 #define LANCER_PACKETS(TARGET)                                                                           \
   namespace TARGET {                                                                                     \
   void aim(const Aim&, const ScreenPoint*, std::size_t count, Vec3s& origin, Vec3s& direction,           \
@@ -138,18 +151,21 @@ struct TurnedView {
   void land_across(const Scenery&, int axis, const LandingView&);                                        \
   void land_on_facets(const Scenery&, const LandingView&);                                               \
   void land_on_boxes(const Scenery&, const LandingView&);                                                \
-  void look_at_light(const LightView&, std::size_t count);                                               \
-  void halfway(const HalfwayView&, Numbers& n_dot_h, Words& known, std::size_t count);                   \
+  void face_rays(const Vec3s& normal, const Words& entering, Vec3s& facing, std::size_t count);          \
+  void paint(const Paint* const* paints, const PaintView&, std::size_t count);                           \
+  bool look_at_light(const LightView&, std::size_t count);                                               \
+  bool halfway(const HalfwayView&, Numbers& n_dot_h, Words& known, std::size_t count);                   \
   void find_shiny(const Words& asked, const Colors& specular, Words& shiny, std::size_t count);          \
-  void powers(const Numbers& x, const Numbers& y, const Words& asked, Numbers& out, Words& certain,      \
+  bool powers(const Numbers& x, const Numbers& y, const Words& asked, Numbers& out, Words& certain,      \
               std::size_t count);                                                                        \
   void send(const SentView&, std::size_t count);                                                         \
   void add_sent(const Colors& sent, const Words& where, Colors& sum, std::size_t count);                 \
-  void face_rays(const Vec3s& normal, const Words& entering, Vec3s& facing, std::size_t count);          \
+  std::uint64_t count_set(const Words&, std::size_t count);                                              \
   void split(const SharesView&, std::size_t count);                                                      \
   void turn(const TurnedView&, std::size_t count);                                                       \
-  void mirror(const Vec3s& direction, const Vec3s& normal, Vec3s& out, Words& known, std::size_t count); \
-  void bend(const BentView&, std::size_t count);                                                         \
+  bool mirror(const Vec3s& direction, const Vec3s& normal, const Words& asked, Vec3s& out, Words& known, \
+              std::size_t count);                                                                        \
+  bool bend(const BentView&, std::size_t count);                                                         \
   }
 LANCER_PACKETS(baseline)
 #if defined(LANCER_HAS_AVX2)

@@ -5,5 +5,6 @@
 #include "tracer/packet/land.inc"
 #include "tracer/packet/light.inc"
 #include "tracer/packet/onward.inc"
+#include "tracer/packet/paint.inc"
 #include "tracer/packet/power.inc"
 #include "tracer/packet/search.inc"

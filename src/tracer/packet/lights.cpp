@@ -12,10 +12,12 @@
 namespace lancer::tracer {
 namespace {
 
-/// The way to the light, where the kernel leaves it out: for very small and very large scenes.
-void find_bearings(const scene::Light& light, const Hits& hits, Lighting& room) {
+/// The way to the light, where the kernel leaves it out: for very small and very large scenes. Returns how
+/// many have the light at the very point.
+std::uint64_t find_bearings(const scene::Light& light, const Hits& hits, Lighting& room) {
+  std::uint64_t there = 0;
   for (std::size_t i = 0; i < hits.count; ++i) {
-    if (room.known[i] != 0 || hits.there[i] == 0) continue;
+    if (room.known[i] != 0 || hits.direct[i] == 0) continue;
     const Bearing from = bearing(light, hits.point[i]);
     room.towards.set(i, from.towards);
     room.distance[i] = from.distance;
@@ -23,20 +25,25 @@ void find_bearings(const scene::Light& light, const Hits& hits, Lighting& room) 
     const double outward = dot(hits.normal[i], from.towards);
     room.starts.rise[i] = std::fabs(outward);
     room.starts.passes[i] = hits.convex[i] != 0 && outward < 0 ? -1 : 0;
-    room.asked[i] = hits.direct[i] != 0 && from.distance != 0 && room.n_dot_l[i] > 0 ? -1 : 0;
+    room.asked[i] = from.distance != 0 && room.n_dot_l[i] > 0 ? -1 : 0;
+    there += from.distance == 0 ? 1 : 0;
   }
+  return there;
 }
 
-/// What arrives, where that is not everywhere the same.
-void find_arriving(const scene::Light& light, const Hits& hits, Lighting& room, Stats& stats) {
+/// What arrives, where that is not everywhere the same. Returns at how many hits nothing does.
+std::uint64_t find_arriving(const scene::Light& light, const Hits& hits, Lighting& room, Stats& stats) {
+  std::uint64_t outside = 0;
   for (std::size_t i = 0; i < hits.count; ++i) {
     if (room.asked[i] == 0) continue;
     const Color arriving = intensity(light, {room.towards[i], room.distance[i]});
     room.arriving.set(i, arriving);
     if (!is_black(arriving)) continue;
-    ++stats.lights_outside_cone;
+    ++outside;
     room.asked[i] = 0;
   }
+  stats.lights_outside_cone += outside;
+  return outside;
 }
 
 void find_highlights(const Hits& hits, Lighting& room) {
@@ -45,14 +52,15 @@ void find_highlights(const Hits& hits, Lighting& room) {
     return;
   }
   LANCER_ON_TARGET(find_shiny(room.asked, hits.specular, room.shiny, hits.count));
-  LANCER_ON_TARGET(halfway({&hits.facing, &hits.direction, &room.towards, &room.shiny}, room.n_dot_h,
-                           room.known, hits.count));
-  for (std::size_t i = 0; i < hits.count; ++i) {
+  bool all_known = LANCER_ON_TARGET(halfway({&hits.facing, &hits.direction, &room.towards, &room.shiny},
+                                            room.n_dot_h, room.known, hits.count));
+  for (std::size_t i = 0; i < hits.count && !all_known; ++i) {
     if (room.known[i] != 0 || room.shiny[i] == 0) continue;
     room.n_dot_h[i] = std::fmax(0, dot(hits.facing[i], normalize(room.towards[i] + -hits.direction[i])));
   }
-  LANCER_ON_TARGET(powers(room.n_dot_h, hits.shininess, room.shiny, room.highlight, room.known, hits.count));
-  for (std::size_t i = 0; i < hits.count; ++i) {
+  all_known = LANCER_ON_TARGET(
+      powers(room.n_dot_h, hits.shininess, room.shiny, room.highlight, room.known, hits.count));
+  for (std::size_t i = 0; i < hits.count && !all_known; ++i) {
     if (room.known[i] != 0 || room.shiny[i] == 0) continue;
     room.highlight[i] = math::pow(room.n_dot_h[i], hits.shininess[i]);
   }
@@ -76,6 +84,7 @@ Color filtered(const World& world, Filters& filters, std::size_t i) {
 void add_alone(const Tracing& tracing, Hits& hits, const Lighting& room, std::size_t i, Stats& stats) {
   const Plan& plan = *tracing.plan;
   const Ray ray = ray_from(*tracing.world, hits.hit(*tracing.world, i), room.towards[i]);
+  --stats.shadow_rays;  // counted there
   const Color through =
       light_through(*tracing.world, plan.shadows, ray, room.distance[i], stats, plan.any_hit);
   if (!is_black(through)) hits.own.set(i, hits.own[i] + through * room.sent[i]);
@@ -95,26 +104,15 @@ void add_unblocked(const Tracing& tracing, const Scenery& scenery, Hits& hits, L
     return;
   }
   Filters* const filters = plan.shadows == ShadowWork::filtered ? &room.filters : nullptr;
-  const auto copy = [&](const auto& from, auto& to) {
-    std::copy_n(from.at.begin(), hits.count, to.at.begin());
-  };
-  copy(hits.error, room.starts.error);
-  copy(hits.primitive_word, room.starts.primitive);
-  copy(hits.shape, room.starts.shape);
   Work work;
   const RaysView rays{&hits.point, &room.towards, &room.starts, &room.exits, nullptr, hits.count};
   LANCER_ON_TARGET(find_exits(scenery, rays, &room.asked, room.exits));
-  LANCER_ON_TARGET(find_blocked(scenery, {rays, &room.asked, &room.distance}, {&room.seen, filters}, work));
+  LANCER_ON_TARGET(
+      find_blocked(scenery, {rays, &room.asked, &room.distance}, {&room.seen, &room.lit, filters}, work));
   stats.shape_tests += work.shape_tests;
   stats.node_visits += work.node_visits;
-  for (std::size_t i = 0; i < hits.count; ++i) {
-    const bool asked = room.asked[i] != 0, known = room.seen[i] != Outlook::in_doubt;
-    const bool clear = room.seen[i] == Outlook::nothing && !(filters && filters->count[i] > 0);
-    stats.shadow_rays += asked && known ? 1 : 0;
-    room.lit[i] = asked && clear ? -1 : 0;
-  }
   LANCER_ON_TARGET(add_sent(room.sent, room.lit, hits.own, hits.count));
-  for (std::size_t i = 0; i < hits.count; ++i) {
+  for (std::size_t i = 0; i < hits.count && work.unclear > 0; ++i) {
     if (room.asked[i] == 0 || room.lit[i] != 0 || room.seen[i] == Outlook::surface) continue;
     if (room.seen[i] == Outlook::in_doubt) {
       add_alone(tracing, hits, room, i, stats);
@@ -122,12 +120,6 @@ void add_unblocked(const Tracing& tracing, const Scenery& scenery, Hits& hits, L
       hits.own.set(i, hits.own[i] + filtered(*tracing.world, *filters, i) * room.sent[i]);
     }
   }
-}
-
-std::uint64_t bits_set(const Words& words, std::size_t count) {
-  std::uint64_t set = 0;
-  for (std::size_t i = 0; i < count; ++i) set += words[i] != 0 ? 1 : 0;
-  return set;
 }
 
 void add_light(const Tracing& tracing, const Scenery& scenery, const scene::Light& light, Hits& hits,
@@ -147,24 +139,25 @@ void add_light(const Tracing& tracing, const Scenery& scenery, const scene::Ligh
                        &room.asked,
                        &room.starts.rise,
                        &room.starts.passes};
-  LANCER_ON_TARGET(look_at_light(view, hits.count));
-  find_bearings(light, hits, room);
-  for (std::size_t i = 0; i < hits.count; ++i) {
-    stats.lights_behind += hits.direct[i] != 0 && room.asked[i] == 0 && room.distance[i] != 0 ? 1 : 0;
-  }
+  std::uint64_t direct = LANCER_ON_TARGET(count_set(hits.direct, hits.count));
+  if (!LANCER_ON_TARGET(look_at_light(view, hits.count))) direct -= find_bearings(light, hits, room);
+  std::uint64_t asked = LANCER_ON_TARGET(count_set(room.asked, hits.count));
+  stats.lights_behind += direct - asked;
   const bool same = light.kind != scene::LightKind::spot && !fades(light);
   const Color everywhere = same ? intensity(light, {{}, 1}) : Color{};
   if (same && is_black(everywhere)) {
-    stats.lights_outside_cone += bits_set(room.asked, hits.count);
+    stats.lights_outside_cone += asked;
     return;
   }
-  if (!same) find_arriving(light, hits, room, stats);
+  if (!same) asked -= find_arriving(light, hits, room, stats);
   find_highlights(hits, room);
-  const std::uint64_t asked = bits_set(room.asked, hits.count);
   LANCER_ON_TARGET(send({&hits.diffuse, &hits.specular, same ? nullptr : &room.arriving, everywhere,
                          &room.n_dot_l, &room.highlight, &room.sent, &room.asked},
                         hits.count));
-  stats.lights_unanswered += asked - bits_set(room.asked, hits.count);
+  const std::uint64_t answered = LANCER_ON_TARGET(count_set(room.asked, hits.count));
+  stats.lights_unanswered += asked - answered;
+  if (answered == 0) return;
+  stats.shadow_rays += tracing.plan->shadows != ShadowWork::none ? answered : 0;
   add_unblocked(tracing, scenery, hits, room, stats);
 }
 
@@ -174,6 +167,13 @@ void add_lights(const Tracing& tracing, const Scenery& scenery, Hits& hits, Ligh
   const Plan& plan = *tracing.plan;
   const std::vector<scene::Light>& all = tracing.world->lights;
   const std::size_t count = plan.every_light ? all.size() : plan.lights.size();
+  if (hits.count == 0) return;
+  const auto copy = [&](const auto& from, auto& to) {
+    std::copy_n(from.at.begin(), hits.count, to.at.begin());
+  };
+  copy(hits.error, room.starts.error);
+  copy(hits.primitive_word, room.starts.primitive);
+  copy(hits.shape, room.starts.shape);
   for (std::size_t i = 0; i < count && !tracing.cancelled(); ++i) {
     add_light(tracing, scenery, all[plan.every_light ? i : plan.lights[i]], hits, room, stats);
   }

@@ -13,12 +13,6 @@ namespace {
 /// made.
 constexpr std::size_t k_most_terms = 1U << 18;
 
-std::uint64_t bits_set(const Words& words, std::size_t count) {
-  std::uint64_t set = 0;
-  for (std::size_t i = 0; i < count; ++i) set += words[i] != 0 ? 1 : 0;
-  return set;
-}
-
 }  // namespace
 
 void BlockTracer::bend() {
@@ -37,10 +31,11 @@ void BlockTracer::bend() {
     room.to[i] = lists_.refractive_index(static_cast<std::uint32_t>(room.beyond[i]));
   }
   single_.stats().medium_changes += changes;
-  LANCER_ON_TARGET(bend({&hits.direction, &hits.facing, &room.from, &room.to, &room.bent.direction,
-                         &room.total, &room.known, &room.reflectance},
-                        hits.count));
-  for (std::size_t i = 0; i < hits.count; ++i) {
+  const bool all_known =
+      LANCER_ON_TARGET(bend({&hits.onward, &hits.direction, &hits.facing, &room.from, &room.to,
+                             &room.bent.direction, &room.total, &room.known, &room.reflectance},
+                            hits.count));
+  for (std::size_t i = 0; i < hits.count && !all_known; ++i) {
     if (room.known[i] != 0 || room.total[i] != 0 || hits.onward[i] == 0) continue;
     const auto bent = refracted(hits.direction[i], hits.facing[i], room.from[i], room.to[i]);
     if (bent) room.bent.direction.set(i, *bent);
@@ -50,7 +45,7 @@ void BlockTracer::bend() {
 void BlockTracer::go_on() {
   const Hits& hits = *hits_;
   Onward& room = *onward_;
-  const std::uint64_t count = bits_set(hits.onward, hits.count);
+  const std::uint64_t count = LANCER_ON_TARGET(count_set(hits.onward, hits.count));
   if (count == 0) return;
   single_.stats().branchings += count;
   const bool clear = hits.any_transmission;
@@ -60,8 +55,9 @@ void BlockTracer::go_on() {
                           &room.bent.share, &room.mirrored.goes, &room.bent.goes},
                          hits.count));
   if (clear) turn_off(room.bent, room.beyond, true);
-  LANCER_ON_TARGET(mirror(hits.direction, hits.facing, room.mirrored.direction, room.known, hits.count));
-  for (std::size_t i = 0; i < hits.count; ++i) {
+  const bool all_known = LANCER_ON_TARGET(mirror(hits.direction, hits.facing, room.mirrored.goes,
+                                                 room.mirrored.direction, room.known, hits.count));
+  for (std::size_t i = 0; i < hits.count && !all_known; ++i) {
     if (room.known[i] == 0 && room.mirrored.goes[i] != 0)
       room.mirrored.direction.set(i, mirrored(hits.direction[i], hits.facing[i]));
   }

@@ -151,16 +151,16 @@ struct ClosestSearch : Group {
 template <bool k_filters>
 struct BlockedSearch : Group {
   std::array<Lanes, k_vectors> distance;
-  std::array<Mask, k_vectors> blocked;
+  std::array<Mask, k_vectors> asked, blocked;
   std::array<Passed, k_filters ? k_group : 0> passed;
   bool all_known = false;
 
   LANCER_INLINE BlockedSearch(const Scenery& s, const ShadowsView& view, std::size_t from, Work& w)
       : Group(s, view.rays, from, w) {
     for (std::size_t k = 0; k < k_vectors; ++k) {
-      const Mask asked = load(&(*view.asked)[from + 4 * k]);
-      probes[k].active &= asked;
-      doubt[k] &= asked;
+      asked[k] = load(&(*view.asked)[from + 4 * k]) & (probes[k].active | doubt[k]);
+      probes[k].active &= asked[k];
+      doubt[k] &= asked[k];
       distance[k] = load(&(*view.distance)[from + 4 * k]);
       blocked[k] = masks(0);
       go_out(view, k);
@@ -200,19 +200,32 @@ struct BlockedSearch : Group {
   }
 
   LANCER_INLINE void tell(const ShadowsSeen& out) const {
-    Column<Outlook>& seen = *out.seen;
     for (std::size_t k = 0; k < k_vectors; ++k) {
+      const std::size_t at = first + 4 * k;
+      Mask lit = asked[k] & ~blocked[k] & ~doubt[k];
+      if constexpr (k_filters) lit &= ~tell_passed(out, k);
+      store(&(*out.lit)[at], lit);
       const unsigned sure = bits(blocked[k]), unclear = bits(doubt[k]);
+      work.unclear += static_cast<unsigned>(std::popcount(bits(asked[k] & ~blocked[k] & ~lit)));
       for (std::size_t i = 0; i < 4; ++i) {
-        seen[first + 4 * k + i] = (sure >> i & 1) != 0      ? Outlook::surface
-                                  : (unclear >> i & 1) != 0 ? Outlook::in_doubt
-                                                            : Outlook::nothing;
-        if constexpr (k_filters) passed[4 * k + i].tell(*out.filters, first + 4 * k + i);
+        (*out.seen)[at + i] = (sure >> i & 1) != 0      ? Outlook::surface
+                              : (unclear >> i & 1) != 0 ? Outlook::in_doubt
+                                                        : Outlook::nothing;
       }
     }
   }
 
  private:
+  /// Which have gone through something.
+  LANCER_INLINE Mask tell_passed(const ShadowsSeen& out, std::size_t k) const {
+    Mask some = masks(0);
+    for (std::size_t i = 0; i < 4; ++i) {
+      passed[4 * k + i].tell(*out.filters, first + 4 * k + i);
+      if (passed[4 * k + i].count > 0) some[static_cast<int>(i)] = -1;
+    }
+    return some;
+  }
+
   /// The way out of what the rays start on.
   LANCER_INLINE void go_out(const ShadowsView& view, std::size_t k) {
     const std::size_t at = first + 4 * k;

@@ -122,6 +122,7 @@ struct Scenery {
 /// What was done, as Stats counts it.
 struct Work {
   std::uint64_t shape_tests = 0, node_visits = 0;
+  std::uint64_t unclear = 0;  // shadow rays that are neither lit nor blocked
 };
 
 }  // namespace lancer::tracer
