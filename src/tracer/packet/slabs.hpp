@@ -12,15 +12,22 @@ namespace lancer::tracer::LANCER_TARGET {
 
 inline constexpr std::size_t k_vectors = k_group / 4;
 
-/// The least and the largest number of the active lanes.
+/// The least and the largest of numbers.
 struct Range {
   double lo = k_infinity, hi = -k_infinity;
+};
+
+/// Of those of the active lanes.
+struct Ranges {
+  Lanes lo = lanes(k_infinity), hi = lanes(-k_infinity);
 
   LANCER_INLINE void add(Lanes values, Mask active) {
-    const Lanes low = select(active, values, lanes(k_infinity));
-    const Lanes high = select(active, values, lanes(-k_infinity));
-    lo = std::min(lo, std::min(std::min(low[0], low[1]), std::min(low[2], low[3])));
-    hi = std::max(hi, std::max(std::max(high[0], high[1]), std::max(high[2], high[3])));
+    lo = lesser(lo, select(active, values, lanes(k_infinity)));
+    hi = greater(hi, select(active, values, lanes(-k_infinity)));
+  }
+  LANCER_INLINE Range all() const {
+    return {std::min(std::min(lo[0], lo[1]), std::min(lo[2], lo[3])),
+            std::max(std::max(hi[0], hi[1]), std::max(hi[2], hi[3]))};
   }
 };
 
@@ -31,8 +38,10 @@ class GroupSlabs {
     std::array<Range, 3> origins;
     double reach = 0;
     for (int axis = 0; axis < 3; ++axis) {
+      Ranges all;
+      for (std::size_t k = 0; k < k_vectors; ++k) all.add(probes[k].origin[axis], probes[k].active);
       Range& range = origins[static_cast<std::size_t>(axis)];
-      for (std::size_t k = 0; k < k_vectors; ++k) range.add(probes[k].origin[axis], probes[k].active);
+      range = all.all();
       range.lo = (range.lo - frame.origin[axis]) * scale_;
       range.hi = (range.hi - frame.origin[axis]) * scale_;
       reach = std::max(reach, std::max(std::fabs(range.lo), std::fabs(range.hi)));
@@ -77,14 +86,15 @@ class GroupSlabs {
 
   LANCER_INLINE void set_axis(int axis, const Probes* probes, const Range& origin, double far) {
     const auto a = static_cast<std::size_t>(axis);
-    Range inverse;
+    Ranges inverses;
     unsigned forwards = 0, backwards = 0;
     for (std::size_t k = 0; k < k_vectors; ++k) {
       const unsigned active = bits(probes[k].active), negative = bits(is_negative(probes[k].inverse[axis]));
       backwards |= active & negative;
       forwards |= active & ~negative;
-      inverse.add(probes[k].inverse[axis], probes[k].active);
+      inverses.add(probes[k].inverse[axis], probes[k].active);
     }
+    const Range inverse = inverses.all();
     const bool both = forwards != 0 && backwards != 0;
     const std::size_t upper = backwards != 0 && !both ? 1 : 0;
     near_side_[a] = 2 * a + upper;
@@ -113,14 +123,14 @@ class GroupSlabs {
   /// Slabs8.
   [[gnu::noinline]] double approach(const Frame& frame, const Probes* probes, std::array<Range, 3>& origins,
                                     double reach) {
-    Range before;
+    Ranges before;
     std::array<Vectors, k_vectors> own;
     for (std::size_t k = 0; k < k_vectors; ++k) {
       own[k] = (probes[k].origin - vectors(frame.origin)) * lanes(scale_);
       const Vectors& d = probes[k].direction;
       before.add(-dot(own[k], d) / dot(d, d) - lanes(2.0), probes[k].active);
     }
-    before_ = std::max(0.0, before.lo);
+    before_ = std::max(0.0, before.all().lo);
     const double rounding = (reach + before_) * 0x1p-44;
     // As far away as this everything is met.
     if (!(rounding < 1)) {
@@ -128,11 +138,11 @@ class GroupSlabs {
       origins = {Range{0, 0}, Range{0, 0}, Range{0, 0}};
       return 0x1p62;
     }
-    origins = {};
-    for (std::size_t k = 0; k < k_vectors; ++k) {
-      const Vectors moved = own[k] + probes[k].direction * lanes(before_);
-      for (int axis = 0; axis < 3; ++axis)
-        origins[static_cast<std::size_t>(axis)].add(moved[axis], probes[k].active);
+    for (int axis = 0; axis < 3; ++axis) {
+      Ranges moved;
+      for (std::size_t k = 0; k < k_vectors; ++k)
+        moved.add(own[k][axis] + probes[k].direction[axis] * lanes(before_), probes[k].active);
+      origins[static_cast<std::size_t>(axis)] = moved.all();
     }
     return rounding;
   }
