@@ -165,6 +165,8 @@ void BlockTracer::land() {
   LANCER_ON_TARGET(land_across(scenery, 2, view(Ground::plane_z)));
   LANCER_ON_TARGET(land_on_facets(scenery, view(Ground::facet)));
   LANCER_ON_TARGET(land_on_boxes(scenery, view(Ground::box)));
+  LANCER_ON_TARGET(land_on_tilted_planes(scenery, view(Ground::tilted_plane)));
+  LANCER_ON_TARGET(land_on_turned_boxes(scenery, view(Ground::turned_box)));
   land_others();
   for (std::size_t i = 0; i < hits.count; ++i) {
     if (hits.there[i] == 0 || hits.settled[i] != 0) continue;

@@ -150,6 +150,8 @@ struct TurnedView {
   void land_on_spheres(const Scenery&, const LandingView&);                                              \
   void land_across(const Scenery&, int axis, const LandingView&);                                        \
   void land_on_facets(const Scenery&, const LandingView&);                                               \
+  void land_on_tilted_planes(const Scenery&, const LandingView&);                                        \
+  void land_on_turned_boxes(const Scenery&, const LandingView&);                                         \
   void land_on_boxes(const Scenery&, const LandingView&);                                                \
   void face_rays(const Vec3s& normal, const Words& entering, Vec3s& facing, std::size_t count);          \
   void paint(const Paint* const* paints, const PaintView&, std::size_t count);                           \

@@ -15,12 +15,12 @@ Ground ground(const World& world, const Primitive& p) {
   switch (p.kind) {
     case Kind::sphere: return Ground::sphere;
     case Kind::facet: return Ground::facet;
-    case Kind::box: return world.boxes[p.record].aligned ? Ground::box : Ground::other;
+    case Kind::box: return world.boxes[p.record].aligned ? Ground::box : Ground::turned_box;
     case Kind::ellipsoid: return Ground::other;
     case Kind::plane: break;
   }
   const int across = world.planes[p.record].across;
-  return across < 0 ? Ground::other : static_cast<Ground>(static_cast<int>(Ground::plane_x) + across);
+  return across < 0 ? Ground::tilted_plane : static_cast<Ground>(static_cast<int>(Ground::plane_x) + across);
 }
 
 Paint paint_of(const scene::Scene& scene, const scene::Material& m, const MaterialNeeds& needs) {

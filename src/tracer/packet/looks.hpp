@@ -11,8 +11,18 @@
 namespace lancer::tracer {
 
 /// How hits land: by a kernel for all of a kind, or one by one.
-enum class Ground : std::uint8_t { sphere, plane_x, plane_y, plane_z, facet, box, other };
-inline constexpr std::size_t k_grounds = 7;
+enum class Ground : std::uint8_t {
+  sphere,
+  plane_x,
+  plane_y,
+  plane_z,
+  tilted_plane,
+  facet,
+  box,
+  turned_box,
+  other
+};
+inline constexpr std::size_t k_grounds = 9;
 
 /// A primitive.
 struct Look {

@@ -72,10 +72,13 @@ template <class Get>
 LANCER_INLINE Lanes gather(const std::uint32_t* four, Get get) {
   return Lanes{get(four[0]), get(four[1]), get(four[2]), get(four[3])};
 }
+LANCER_INLINE Vectors side_by_side(const std::array<Vec3, 4>& v) {
+  return {Lanes{v[0].x, v[1].x, v[2].x, v[3].x}, Lanes{v[0].y, v[1].y, v[2].y, v[3].y},
+          Lanes{v[0].z, v[1].z, v[2].z, v[3].z}};
+}
 template <class Get>
 LANCER_INLINE Vectors gather_vectors(const std::uint32_t* four, Get get) {
-  const Vec3 a = get(four[0]), b = get(four[1]), c = get(four[2]), d = get(four[3]);
-  return {Lanes{a.x, b.x, c.x, d.x}, Lanes{a.y, b.y, c.y, d.y}, Lanes{a.z, b.z, c.z, d.z}};
+  return side_by_side({get(four[0]), get(four[1]), get(four[2]), get(four[3])});
 }
 
 LANCER_INLINE Spheres spheres(const Scenery& s, const std::uint32_t* four) {
