@@ -67,6 +67,11 @@ LANCER_INLINE Facets four_times(const FacetPrimitive& f) {
           vectors(f.normal), lanes(f.slack), masks(f.flipped ? -1 : 0)};
 }
 
+/// Neighbours mostly meet the same surface.
+LANCER_INLINE bool are_one(const std::uint32_t* four) {
+  return four[0] == four[1] && four[0] == four[2] && four[0] == four[3];
+}
+
 /// What get() gives for each of four things.
 template <class Get>
 LANCER_INLINE Lanes gather(const std::uint32_t* four, Get get) {
@@ -85,12 +90,14 @@ LANCER_INLINE Spheres spheres(const Scenery& s, const std::uint32_t* four) {
   const auto of = [&](std::uint32_t p) -> const SpherePrimitive& {
     return s.spheres[s.primitives[p].record];
   };
+  if (are_one(four)) return four_times(of(four[0]));
   return {gather_vectors(four, [&](std::uint32_t p) { return of(p).center; }),
           gather(four, [&](std::uint32_t p) { return of(p).radius; }),
           gather(four, [&](std::uint32_t p) { return of(p).slack; })};
 }
 LANCER_INLINE Facets facets(const Scenery& s, const std::uint32_t* four) {
   const auto of = [&](std::uint32_t p) -> const FacetPrimitive& { return s.facets[s.primitives[p].record]; };
+  if (are_one(four)) return four_times(of(four[0]));
   const auto flipped = [&](std::size_t i) -> long long { return of(four[i]).flipped ? -1 : 0; };
   return {gather_vectors(four, [&](std::uint32_t p) { return of(p).a; }),
           gather_vectors(four, [&](std::uint32_t p) { return of(p).b; }),
