@@ -23,7 +23,7 @@ struct Tile {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-inline constexpr int k_tile_side = 16;
+inline constexpr int k_tile_side = 32;
 
 /// One thread's part: called once a tile.
 using TileWork = std::function<void(const Tile&)>;

@@ -15,8 +15,8 @@ void ViewTracer::radiances(std::span<const ScreenPoint> points, std::span<Color>
 
 void ViewTracer::trace_together(std::span<const ScreenPoint> points, std::span<Color> out) {
   const int depth = job_.tracing.world->scene->settings.depth;
-  for (std::size_t first = 0; first < points.size() && !job_.tracing.cancelled(); first += k_wave) {
-    const std::size_t count = std::min(points.size() - first, k_wave);
+  for (std::size_t first = 0; first < points.size() && !job_.tracing.cancelled(); first += 2 * k_wave) {
+    const std::size_t count = std::min(points.size() - first, 2 * k_wave);
     block_->add_rays(job_.camera, points.subspan(first, count));
     tracer_.stats().primary_rays += count;
     block_->radiances(depth, out.subspan(first, count));

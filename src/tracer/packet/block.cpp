@@ -17,19 +17,22 @@ BlockTracer::BlockTracer(const PacketWorld& packets, const Tracing& tracing, Tra
 BlockTracer::~BlockTracer() = default;
 
 void BlockTracer::add_rays(const Camera& camera, std::span<const ScreenPoint> points) {
-  Rays& rays = waves_.room(0, false);
-  rays.from_eye = true;
-  rays.count = points.size();
-  LANCER_ON_TARGET(
-      aim(camera.aim(), points.data(), points.size(), rays.origin, rays.direction, onward_->known));
   terms_.begin(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    rays.share.set(i, grey(1));
-    rays.term[i] = static_cast<std::uint32_t>(i);
-    if (onward_->known[i] != 0) continue;
-    const CameraRay ray = camera.ray(points[i].x, points[i].y);
-    rays.origin.set(i, ray.origin);
-    rays.direction.set(i, ray.direction);
+  for (std::size_t first = 0; first < points.size();) {
+    Rays& rays = waves_.room(0, false);
+    rays.from_eye = true;
+    rays.count = std::min(k_wave, points.size() - first);
+    const ScreenPoint* const at = points.data() + first;
+    LANCER_ON_TARGET(aim(camera.aim(), at, rays.count, rays.origin, rays.direction, onward_->known));
+    for (std::size_t i = 0; i < rays.count; ++i) {
+      rays.share.set(i, grey(1));
+      rays.term[i] = static_cast<std::uint32_t>(first + i);
+      if (onward_->known[i] != 0) continue;
+      const CameraRay ray = camera.ray(at[i].x, at[i].y);
+      rays.origin.set(i, ray.origin);
+      rays.direction.set(i, ray.direction);
+    }
+    first += rays.count;
   }
 }
 

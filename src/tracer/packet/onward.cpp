@@ -11,7 +11,7 @@ namespace {
 
 /// More terms than these take more room than they are worth: what goes on is then followed when sums are
 /// made.
-constexpr std::size_t k_most_terms = 1U << 18;
+constexpr std::size_t k_most_terms = 1U << 19;
 
 }  // namespace
 

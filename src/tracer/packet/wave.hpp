@@ -13,7 +13,7 @@
 namespace lancer::tracer {
 
 /// The most rays that go together, and how many of them search the tree together.
-inline constexpr std::size_t k_wave = 256, k_group = 16;
+inline constexpr std::size_t k_wave = 512, k_group = 16;
 
 template <class T>
 struct alignas(32) Column {
