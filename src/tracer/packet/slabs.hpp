@@ -6,7 +6,7 @@
 // LANCER_TARGET.
 
 #include "tracer/packet/surfaces.hpp"
-#include "tracer/tree/floats.hpp"
+#include "tracer/tree/slab_frame.hpp"
 
 namespace lancer::tracer::LANCER_TARGET {
 
@@ -31,10 +31,10 @@ struct Ranges {
   }
 };
 
-class GroupSlabs {
+class GroupSlabs : public SlabFrame {
  public:
   LANCER_INLINE GroupSlabs(const Frame& frame, const Probes* probes) {
-    scale_ = frame.inverse_scale;
+    set_frame(frame);
     std::array<Range, 3> origins;
     double reach = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -42,43 +42,32 @@ class GroupSlabs {
       for (std::size_t k = 0; k < k_vectors; ++k) all.add(probes[k].origin[axis], probes[k].active);
       Range& range = origins[static_cast<std::size_t>(axis)];
       range = all.all();
-      range.lo = (range.lo - frame.origin[axis]) * scale_;
-      range.hi = (range.hi - frame.origin[axis]) * scale_;
+      range.lo = (range.lo - frame.origin[axis]) * scale();
+      range.hi = (range.hi - frame.origin[axis]) * scale();
       reach = std::max(reach, std::max(std::fabs(range.lo), std::fabs(range.hi)));
     }
     double far = 0;
     if (!(reach <= 4)) far = approach(frame, probes, origins, reach);
-    start_ = splat(static_cast<float>(-far));
-    later_ = far;
+    set_far(far);
     for (int axis = 0; axis < 3; ++axis) set_axis(axis, probes, origins[static_cast<std::size_t>(axis)], far);
-  }
-
-  /// The distance in the frame's unit, or somewhat more.
-  LANCER_INLINE float limit(double distance) const {
-    const double in_frame = distance * scale_ - before_;
-    return static_cast<float>(std::min(in_frame + std::fabs(in_frame) * k_slack + later_, k_huge));
   }
 
   /// A bit for each child that a ray may meet up to the limit; `enter` is where.
   LANCER_INLINE unsigned meets(const Node& node, float limit, float* enter) const {
-    Floats first = start_, last = splat(limit);
+    Floats first = start(), last = splat(limit);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Floats near = load(node.sides[near_side_[axis]].data());
-      const Floats far = load(node.sides[far_side_[axis]].data());
+      const Floats nearer = near(node, axis), farther = far(node, axis);
       const End &a = ends_[axis][0], &b = ends_[axis][1];
-      first =
-          greater(lesser(times_plus(near, a.inverse, a.near), times_plus(near, b.inverse, b.near)), first);
-      last = lesser(greater(times_plus(far, a.inverse, a.far), times_plus(far, b.inverse, b.far)), last);
+      first = greater(lesser(times_plus(nearer, a.inverse, a.near), times_plus(nearer, b.inverse, b.near)),
+                      first);
+      last =
+          lesser(greater(times_plus(farther, a.inverse, a.far), times_plus(farther, b.inverse, b.far)), last);
     }
     store(enter, first);
     return at_most(first, last);
   }
 
  private:
-  static constexpr double k_slack = 0x1p-22;
-  static constexpr double k_steepest = 0x1p60;
-  static constexpr double k_huge = 0x1p120;
-
   /// For one end of the inverse directions.
   struct End {
     Floats inverse, near, far;
@@ -96,9 +85,8 @@ class GroupSlabs {
     }
     const Range inverse = inverses.all();
     const bool both = forwards != 0 && backwards != 0;
-    const std::size_t upper = backwards != 0 && !both ? 1 : 0;
-    near_side_[a] = 2 * a + upper;
-    far_side_[a] = 2 * a + 1 - upper;
+    const bool upper = backwards != 0 && !both;
+    set_sides(a, upper);
     if (both) {
       // This axis bounds nothing but places without a child, whose sides are infinite.
       const Floats none = splat(0x1p-100F);
@@ -106,8 +94,8 @@ class GroupSlabs {
                   End{none, splat(static_cast<float>(-k_huge)), splat(static_cast<float>(k_huge))}};
       return;
     }
-    const double behind = upper != 0 ? origin.lo : origin.hi;  // the sides are nearest from there
-    const double ahead = upper != 0 ? origin.hi : origin.lo;
+    const double behind = upper ? origin.lo : origin.hi;  // the sides are nearest from there
+    const double ahead = upper ? origin.hi : origin.lo;
     for (std::size_t end = 0; end < 2; ++end) {
       const double steep = std::clamp(end == 0 ? inverse.lo : inverse.hi, -k_steepest, k_steepest);
       const auto i = static_cast<float>(steep);
@@ -123,36 +111,28 @@ class GroupSlabs {
   /// Slabs8.
   [[gnu::noinline]] double approach(const Frame& frame, const Probes* probes, std::array<Range, 3>& origins,
                                     double reach) {
-    Ranges before;
+    Ranges nearest;
     std::array<Vectors, k_vectors> own;
     for (std::size_t k = 0; k < k_vectors; ++k) {
-      own[k] = (probes[k].origin - vectors(frame.origin)) * lanes(scale_);
+      own[k] = (probes[k].origin - vectors(frame.origin)) * lanes(scale());
       const Vectors& d = probes[k].direction;
-      before.add(-dot(own[k], d) / dot(d, d) - lanes(2.0), probes[k].active);
+      nearest.add(-dot(own[k], d) / dot(d, d) - lanes(2.0), probes[k].active);
     }
-    before_ = std::max(0.0, before.all().lo);
-    const double rounding = (reach + before_) * 0x1p-44;
-    // As far away as this everything is met.
-    if (!(rounding < 1)) {
-      before_ = 0;
+    const double far = leave_out(nearest.all().lo, reach);
+    if (far == k_everywhere) {
       origins = {Range{0, 0}, Range{0, 0}, Range{0, 0}};
-      return 0x1p62;
+      return far;
     }
     for (int axis = 0; axis < 3; ++axis) {
       Ranges moved;
       for (std::size_t k = 0; k < k_vectors; ++k)
-        moved.add(own[k][axis] + probes[k].direction[axis] * lanes(before_), probes[k].active);
+        moved.add(own[k][axis] + probes[k].direction[axis] * lanes(before()), probes[k].active);
       origins[static_cast<std::size_t>(axis)] = moved.all();
     }
-    return rounding;
+    return far;
   }
 
   std::array<std::array<End, 2>, 3> ends_;
-  Floats start_;
-  std::array<std::size_t, 3> near_side_, far_side_;
-  double scale_ = 1;
-  double before_ = 0;  // the distance left out
-  double later_ = 0;
 };
 
 }  // namespace lancer::tracer::LANCER_TARGET

@@ -2,34 +2,27 @@
 // Where a ray meets the boxes of a node's children, all eight at once, in floats: never less than what
 // interval() tells of the boxes in doubles. Compiled in the namespace LANCER_TARGET; see floats.hpp.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "tracer/ray.hpp"
-#include "tracer/tree/floats.hpp"
-#include "tracer/tree/node.hpp"
+#include "tracer/tree/slab_frame.hpp"
 
 namespace lancer::tracer::LANCER_TARGET {
 
-/// A ray in a frame, as far as boxes go. Distances along it are in the frame's unit and begin where the ray
-/// comes near the frame's boxes, so that they are no larger than those for all that floats can tell.
+/// A ray in a frame, as far as boxes go.
 ///
 /// With v = 2^-24, i the rounded inverse of a component d of the direction, o the origin's and s a side's
 /// coordinate, |s| <= 1/2, the distance s i + (-o i) is off from (s - o) / d by no more than
 /// v |i| (|s| + |o| + 2 |s - o|) <= 3 v |i| (1/2 + |o|): a rounding each for s i, for -o i, for i and for the
 /// sum. k_slack is 4 v; what is left is ample for the roundings in doubles, of interval() too, and for
 /// components that are taken to be larger than they are.
-class Slabs8 {
+class Slabs8 : public SlabFrame {
  public:
   LANCER_INLINE Slabs8(const Frame& frame, const Probe& probe) {
     Vec3 origin = (probe.origin - frame.origin) * frame.inverse_scale;
     const double reach = std::max(std::fabs(origin.x), std::max(std::fabs(origin.y), std::fabs(origin.z)));
     double far = 0;
     if (!(reach <= 4)) far = approach(origin, probe.direction, reach);
-    scale_ = frame.inverse_scale;
-    start_ = splat(static_cast<float>(-far));
-    later_ = far;
+    set_frame(frame);
+    set_far(far);
     // The three axes at once; the fourth number is of no matter.
     const Doubles o{origin.x, origin.y, origin.z, 0};
     Doubles inverse{probe.inverse.x, probe.inverse.y, probe.inverse.z, 1};
@@ -39,32 +32,22 @@ class Slabs8 {
     const Doubles at = -o * wide;
     const Doubles slack = ((0.5 + abs(o)) * k_slack + far) * abs(wide);
     const Doubles nearest = at - slack, farthest = at + slack;
-    const Quad near = __builtin_convertvector(nearest < -k_huge ? all(-k_huge) : nearest, Quad);
+    const Quad near_side = __builtin_convertvector(nearest < -k_huge ? all(-k_huge) : nearest, Quad);
     const Quad far_side = __builtin_convertvector(farthest > k_huge ? all(k_huge) : farthest, Quad);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t upper = std::signbit(i[axis]) ? 1 : 0;
-      near_side_[axis] = 2 * axis + upper;
-      far_side_[axis] = 2 * axis + 1 - upper;
+      set_sides(axis, std::signbit(i[axis]));
       inverse_[axis] = splat(i[axis]);
-      near_[axis] = splat(near[axis]);
+      near_[axis] = splat(near_side[axis]);
       far_[axis] = splat(far_side[axis]);
     }
   }
 
-  /// The distance in the frame's unit, or somewhat more.
-  LANCER_INLINE float limit(double distance) const {
-    const double in_frame = distance * scale_ - before_;
-    return static_cast<float>(std::min(in_frame + std::fabs(in_frame) * k_slack + later_, k_huge));
-  }
-
   /// A bit for each child that the ray may meet up to the limit; `enter` is where.
   LANCER_INLINE unsigned meets(const Node& node, float limit, float* enter) const {
-    Floats first = start_, last = splat(limit);
+    Floats first = start(), last = splat(limit);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float* near = node.sides[near_side_[axis]].data();
-      const float* far = node.sides[far_side_[axis]].data();
-      first = greater(times_plus(load(near), inverse_[axis], near_[axis]), first);
-      last = lesser(times_plus(load(far), inverse_[axis], far_[axis]), last);
+      first = greater(times_plus(near(node, axis), inverse_[axis], near_[axis]), first);
+      last = lesser(times_plus(far(node, axis), inverse_[axis], far_[axis]), last);
     }
     store(enter, first);
     return at_most(first, last);
@@ -79,32 +62,15 @@ class Slabs8 {
     return Doubles{std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2]), std::fabs(v[3])};
   }
 
-  static constexpr double k_slack = 0x1p-22;
-  static constexpr double k_steepest = 0x1p60;
-  static constexpr double k_huge = 0x1p120;
-
   /// Moves the origin along the ray to where it comes near the boxes, all of which lie within a distance of
   /// 1 from the frame's origin; returns how far rounding may move what is there.
   [[gnu::noinline]] double approach(Vec3& origin, Vec3 direction, double reach) {
-    before_ = std::max(0.0, -dot(origin, direction) / dot(direction, direction) - 2);
-    const Vec3 moved = origin + direction * before_;
-    const double rounding = (reach + before_) * 0x1p-44;
-    // As far away as this everything is met.
-    if (!(rounding < 1)) {
-      before_ = 0;
-      origin = {};
-      return 0x1p62;
-    }
-    origin = moved;
-    return rounding;
+    const double far = leave_out(-dot(origin, direction) / dot(direction, direction) - 2, reach);
+    origin = far == k_everywhere ? Vec3{} : origin + direction * before();
+    return far;
   }
 
   std::array<Floats, 3> inverse_, near_, far_;
-  Floats start_;
-  std::array<std::size_t, 3> near_side_, far_side_;
-  double scale_ = 1;
-  double before_ = 0;  // the distance left out
-  double later_ = 0;
 };
 
 }  // namespace lancer::tracer::LANCER_TARGET
