@@ -1,121 +1,33 @@
 #include "tracer/plan.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <utility>
 
 #include "scene/corners.hpp"
-#include "tracer/extent.hpp"
-#include "tracer/inventory.hpp"
-#include "tracer/light.hpp"
 #include "tracer/lights_in_reach.hpp"
 #include "tracer/pattern.hpp"
-#include "tracer/world.hpp"
+#include "tracer/planner.hpp"
 
 namespace lancer::tracer {
-namespace {
 
-/// More than these are worth it to look which matter where.
-constexpr std::size_t k_few_lights = 4;
-
-using scene::Index;
 using scene::k_none;
-using Things = std::vector<Index>;
 
-constexpr std::size_t k_most_named = 3;
-
-class Planner {
- public:
-  Planner(const scene::Scene& scene, const scene::View& view, const Options& options)
-      : scene_(scene), view_(view), options_(options), has_(scene) {
-    out_.skips = options.skips;
-    out_.exposure = scene.settings.exposure;
-    out_.primitives = has_.primitives;
-    out_.worn = shapes_with([](auto& w, auto&) { return w.any; }).size();
-  }
-
-  Plan run() {
-    plan_recursion();
-    plan_lights();
-    plan_terms();
-    plan_shadow_rays();
-    plan_any_hit();
-    plan_media();
-    plan_patterns();
-    plan_faint();
-    plan_light_cells();
-    plan_packets();
-    plan_tree();
-    std::sort(out_.decisions.begin(), out_.decisions.end(),
-              [](const Decision& a, const Decision& b) { return a.skip < b.skip; });
-    return std::move(out_);
-  }
-
- private:
-  void plan_recursion();
-  void plan_lights();
-  void plan_terms();
-  void plan_shadow_rays();
-  void plan_any_hit();
-  void plan_media();
-  void plan_patterns();
-  void plan_packets();
-  /// Do the scene and the view let rays go together?
-  bool suits_packets() const {
-    const bool in_solids = out_.media && view_.projection == scene::Projection::orthographic;
-    return scene_.settings.sum == scene::Sum::linear && !in_solids;
-  }
-  void plan_tree();
-  void plan_faint();
-
-  bool may(Skip skip) const { return options_.skips.has(skip); }
-
-  void decide(Skip skip, Verdict verdict, std::string reason, const Things& things = {},
-              Thing::Kind kind = Thing::Kind::shape) {
-    Decision decision{skip, verdict, std::move(reason), {}, things.size()};
-    for (std::size_t i = 0; i < std::min(things.size(), k_most_named); ++i)
-      decision.things.push_back({kind, things[i]});
-    out_.decisions.push_back(std::move(decision));
-  }
-
-  /// It can be left out for this reason, and is, unless that was turned off.
-  bool leave_out(Skip skip, std::string reason, const Things& things = {},
-                 Thing::Kind kind = Thing::Kind::shape, Verdict verdict = Verdict::skipped) {
-    decide(skip, may(skip) ? verdict : Verdict::off, std::move(reason), things, kind);
-    return may(skip);
-  }
-
-  /// For each material for which test(wearers, terms) gives a shape, that shape.
-  template <class Test>
-  Things shapes_with(Test test) const {
-    Things out;
-    for (std::size_t m = 0; m < has_.wearers.size(); ++m) {
-      if (has_.wearers[m].any == k_none) continue;
-      const Index shape = test(has_.wearers[m], has_.terms[m]);
-      if (shape != k_none) out.push_back(shape);
-    }
-    return out;
-  }
-
-  Things other_indices() const;
-  bool eye_may_be_in(Index mesh) const;
-  Things meshes_around_rays() const;
-  Things bright_shadows() const;
-  void ask_all_but(const Things& dropped);
-  void plan_light_cells();
-  const Extent& extent() {
-    if (!extent_) extent_.emplace(scene_);
-    return *extent_;
-  }
-
-  const scene::Scene& scene_;
-  const scene::View& view_;
-  const Options& options_;
-  Inventory has_;
-  std::optional<Extent> extent_;  // once asked for
-  Plan out_;
-};
+Plan Planner::run() {
+  plan_recursion();
+  plan_lights();
+  plan_terms();
+  plan_shadow_rays();
+  plan_any_hit();
+  plan_media();
+  plan_patterns();
+  plan_faint();
+  plan_light_cells();
+  plan_packets();
+  plan_tree();
+  std::sort(out_.decisions.begin(), out_.decisions.end(),
+            [](const Decision& a, const Decision& b) { return a.skip < b.skip; });
+  return std::move(out_);
+}
 
 void Planner::plan_recursion() {
   const Things reflecting = shapes_with([](auto& w, auto& t) { return t.reflection ? w.any : k_none; });
@@ -219,7 +131,7 @@ void Planner::plan_any_hit() {
 }
 
 /// Of the solids, those whose refractive index is not that of the surrounding space.
-Things Planner::other_indices() const {
+Planner::Things Planner::other_indices() const {
   Things out;
   for (std::size_t m = 0; m < has_.wearers.size(); ++m) {
     const Index solid = has_.wearers[m].solid;
@@ -237,7 +149,7 @@ bool Planner::eye_may_be_in(Index mesh) const {
 }
 
 /// Solid meshes that a ray may be inside of: which of two facets it meets at an edge is decided by that.
-Things Planner::meshes_around_rays() const {
+Planner::Things Planner::meshes_around_rays() const {
   Things out;
   for (const Index mesh : has_.solid_meshes) {
     const bool clear = has_.terms[scene_.shapes[mesh].material].transmission;
@@ -287,10 +199,8 @@ void Planner::plan_packets() {
   const auto by_itself = [&](std::string reason) {
     decide(Skip::single_rays, Verdict::needed, std::move(reason));
   };
-  if (scene_.settings.sum != scene::Sum::linear) {
-    by_itself("the sum of terms is not linear");
-  } else if (out_.media && view_.projection == scene::Projection::orthographic) {
-    by_itself("each ray starts in solids of its own");
+  if (const char* const reason = keeps_rays_apart()) {
+    by_itself(reason);
   } else if (out_.faint_rays || out_.faint_lights) {
     by_itself("what is too faint to show is left out, ray by ray");
   } else if (out_.light_cells.used) {
@@ -315,83 +225,6 @@ void Planner::plan_tree() {
     out_.tree = !leave_out(Skip::tree, many + " things are asked one by one");
   }
 }
-
-/// Things that brighten what is behind them: their shadows are more than the light itself.
-Things Planner::bright_shadows() const {
-  if (scene_.settings.shadows != scene::Shadows::filtered) return {};
-  Things out;
-  for (std::size_t m = 0; m < has_.wearers.size(); ++m) {
-    if (has_.wearers[m].caster == k_none || !has_.terms[m].transmission) continue;
-    const Color most = largest(scene_, scene_.materials[m].transmission);
-    if (most.r > 1 || most.g > 1 || most.b > 1) out.push_back(has_.wearers[m].caster);
-  }
-  return out;
-}
-
-/// Where more than a few lights have their limits, they are looked up by place. For lamps that fade a part of
-/// what may go missing is spent.
-void Planner::plan_light_cells() {
-  constexpr double k_part = 0.25;
-  std::size_t spots = 0, fading = 0;
-  for (const scene::Light& light : scene_.lights) {
-    spots += light.kind == scene::LightKind::spot ? 1 : 0;
-    fading += fades(light) ? 1 : 0;
-  }
-  LightCellPlan& cells = out_.light_cells;
-  cells.spots = spots > 0 && may(Skip::dark_lights);
-  const bool faint = fading > 0 && out_.faint_lights;
-  cells.used = (cells.spots ? spots : 0) + (faint ? fading : 0) > k_few_lights;
-  if (!cells.used) return;
-  Aabb around = extent().bounded();
-  for (const scene::Light& light : scene_.lights) {
-    if (!(around.lo.x <= around.hi.x) && light.kind != scene::LightKind::sun) around.add(light.at);
-  }
-  const double size = max_abs(around.hi - around.lo);
-  cells.middle = around.center();
-  cells.reach = size > 0 ? size / 2 : 1;
-  cells.size = cells.reach / 16;
-  if (!faint) return;
-  const double sent = most_sent(scene_, has_, out_.recursion ? scene_.settings.depth : 0);
-  cells.faint = k_part * out_.faint_error * tolerance(0) / out_.exposure / std::max(sent, 1e-300);
-  out_.faint_error *= 1 - k_part;
-}
-
-void Planner::plan_faint() {
-  out_.faint_error = options_.error * k_faint_part;
-  if (!(options_.error > 0)) {
-    decide(Skip::faint_rays, Verdict::needed, "no error is asked for");
-    decide(Skip::faint_lights, Verdict::needed, "no error is asked for");
-    return;
-  }
-  if (suits_packets() && !out_.transmits && scene_.lights.size() <= k_few_lights) {
-    // They take less time than it would take to see which do not matter.
-    decide(Skip::faint_rays, Verdict::needed, "rays of neighbouring pixels are traced together");
-    decide(Skip::faint_lights, Verdict::needed, "rays of neighbouring pixels are traced together");
-    return;
-  }
-  if (const Things bright = bright_shadows(); !bright.empty()) {
-    decide(Skip::faint_rays, Verdict::needed, "{} may make a light brighter without bound", bright);
-    decide(Skip::faint_lights, Verdict::needed, "{} may make a light brighter without bound", bright);
-    return;
-  }
-  out_.faint_lights = leave_out(Skip::faint_lights, "all of them in a pixel: below an eighth of the error",
-                                {}, Thing::Kind::light, Verdict::as_met);
-  if (!out_.recursion) {
-    decide(Skip::faint_rays, Verdict::skipped, "no rays go on");
-    return;
-  }
-  Brightness brightness(scene_);
-  if (const auto& lamp = brightness.near_lamp()) {
-    decide(Skip::faint_rays, Verdict::needed, "{} may be next to a surface, and so without bound",
-           {lamp->light}, Thing::Kind::light);
-    return;
-  }
-  out_.faint_rays = leave_out(Skip::faint_rays, "all of them in a pixel: below an eighth of the error", {},
-                              Thing::Kind::shape, Verdict::as_met);
-  out_.brightness = std::move(brightness);
-}
-
-}  // namespace
 
 Plan plan(const scene::Scene& scene, const scene::View& view, const Options& options) {
   return Planner(scene, view, options).run();
