@@ -12,17 +12,6 @@ namespace {
 
 using ast::Kind;
 
-Record build_record(const BlockReader& reader, Meter& meter, std::vector<Diagnostic>& warnings) {
-  switch (reader.kind()) {
-    case Kind::mesh: return build_mesh(reader, meter);
-    case Kind::light:
-    case Kind::sun:
-    case Kind::spot: return build_light(reader);
-    case Kind::view: return build_view(reader);
-    default: return build_shape(reader, warnings);
-  }
-}
-
 /// Name, transforms, material and shadow: what all kinds share.
 Object build_common(const BlockReader& reader) {
   const BlockValues& values = reader.values();
@@ -49,6 +38,17 @@ void take_members(Object& group, std::vector<Ref<Object>> members) {
 }
 
 }  // namespace
+
+Record build_record(const BlockReader& reader, Meter& meter, std::vector<Diagnostic>& warnings) {
+  switch (reader.kind()) {
+    case Kind::mesh: return build_mesh(reader, meter);
+    case Kind::light:
+    case Kind::sun:
+    case Kind::spot: return build_light(reader);
+    case Kind::view: return build_view(reader);
+    default: return build_shape(reader, warnings);
+  }
+}
 
 Ref<Object> build_object(const BlockValues& values, Meter& meter, std::vector<Diagnostic>& warnings) {
   const BlockReader reader(values);

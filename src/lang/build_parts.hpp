@@ -16,8 +16,11 @@ Record build_mesh(const BlockReader& reader, Meter& meter);
 scene::Light build_light(const BlockReader& reader);
 scene::View build_view(const BlockReader& reader);
 
-/// All of a block's transforms, in the order written.
-Affine build_transform(const BlockValues& values);
+/// All of a block's transforms, in the order written, behind those that `first` stands for.
+Affine build_transform(const BlockValues& values, const Affine& first = {});
+
+/// The data of an object that is no group.
+Record build_record(const BlockReader& reader, Meter& meter, std::vector<Diagnostic>& warnings);
 
 /// Where something that is no material was given.
 [[noreturn]] void refuse_material(const Argument& argument);

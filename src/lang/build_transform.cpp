@@ -51,8 +51,8 @@ Affine read_transform(const Slot& slot) {
 
 }  // namespace
 
-Affine build_transform(const BlockValues& values) {
-  Affine out;
+Affine build_transform(const BlockValues& values, const Affine& first) {
+  Affine out = first;
   for (const AttributeValues& a : values.attributes) {
     const std::string_view id = a.attribute->id;
     if (id != "translate" && id != "scale" && id != "rotate") continue;

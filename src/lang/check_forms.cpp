@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "lang/block_reader.hpp"
 #include "lang/check_blocks.hpp"
 #include "lang/keywords.hpp"
 #include "lang/wording.hpp"
@@ -179,6 +180,17 @@ void FormCheck::no_positional() {
 }
 
 }  // namespace
+
+bool go_together(Kind kind, std::string_view one, std::string_view other) {
+  const std::vector<Form> forms = forms_of(kind);
+  const auto some = [&](const auto& condition) { return std::any_of(forms.begin(), forms.end(), condition); };
+  const auto has = [](const Form& f, std::string_view word) { return fits(f, {word, {}}); };
+  // The distance of a plane stands beside its normal, in a form without names.
+  if (one == k_plane_distance) return other != "point" && other != "points";
+  if (!some([&](const Form& f) { return has(f, one); })) return true;
+  if (!some([&](const Form& f) { return has(f, other); })) return true;
+  return some([&](const Form& f) { return has(f, one) && has(f, other); });
+}
 
 void check_form(const ast::Block& block, std::vector<Diagnostic>& diagnostics) {
   FormCheck(block, diagnostics).run();

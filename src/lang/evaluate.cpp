@@ -89,8 +89,8 @@ Flow Evaluator::execute(const ast::Stmt& s) {
     case StmtKind::include:
       if (as<ast::Include>(s).script != ast::k_no_script) run_script(*scripts_[as<ast::Include>(s).script]);
       break;
-    case StmtKind::modify: throw ScriptError(Code::not_yet, s.span, "`modify` comes with a later version");
-    case StmtKind::remove: throw ScriptError(Code::not_yet, s.span, "`remove` comes with a later version");
+    case StmtKind::modify: execute_modify(as<ast::Modify>(s)); break;
+    case StmtKind::remove: execute_remove(as<ast::Remove>(s)); break;
     case StmtKind::settings: execute_settings(as<ast::Settings>(s)); break;
   }
   return Flow::next;

@@ -65,6 +65,13 @@ class Evaluator {
   void add_object(const Ref<Object>& object, Span span);
   std::vector<Label> trace() const;
 
+  // evaluate_change.cpp: what was added is changed or taken away
+  void execute_modify(const ast::Modify& modify);
+  void execute_remove(const ast::Remove& remove);
+  /// What becomes of an object whose name matches; null: it is gone.
+  using Change = std::function<Ref<Object>(const Object&)>;
+  void change_added(const ast::Stmt& statement, const ast::String& pattern, const Change& change);
+
   // evaluate_expr.cpp: one function for each kind of expression
   Value evaluate(const ast::Expr& expr);
   /// The same, but `nothing` for a call that adds and returns nothing.
@@ -129,7 +136,7 @@ class Evaluator {
   Value returned_;
   std::vector<Ref<FunctionData>> builtin_values_;  // made when asked for
   std::vector<std::string_view> settings_seen_;
-  std::unordered_set<const ast::Return*> warned_;
+  std::unordered_set<const ast::Stmt*> warned_;
   std::function<Value(const Value&, std::span<const Value>, Span)> call_value_;
   std::function<void(std::string_view)> print_;
 };

@@ -258,11 +258,6 @@ TEST_CASE("evaluate: any other value as a statement is an error", "[evaluate]") 
   CHECK(failure("material { }") == "1:1 E036 this statement's value is a material, which adds nothing");
 }
 
-TEST_CASE("evaluate: modify and remove say that they come later", "[evaluate]") {
-  CHECK(failure("modify \"a\" { radius 1 }") == "1:1 E047 `modify` comes with a later version");
-  CHECK(failure("remove \"a\"") == "1:1 E047 `remove` comes with a later version");
-}
-
 // --- Errors and limits
 // -----------------------------------------------------------------------------------------
 
