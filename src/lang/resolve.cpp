@@ -18,11 +18,11 @@ using ast::StmtKind;
 Resolver::Resolver(const std::vector<ast::Script*>& scripts, const std::vector<Definition>& definitions)
     : scripts_(scripts), definitions_(definitions), collected_(scripts.size()), begun_(scripts.size()) {}
 
-Resolved Resolver::run() {
+Resolved Resolver::run(bool keep_unused) {
   collect_functions(0);
   resolve_definitions();
   resolve_file(0, nullptr);
-  uses_.finish(out_.diagnostics);
+  keep_unused ? uses_.keep_all() : uses_.finish(out_.diagnostics);
   return std::move(out_);
 }
 
@@ -194,8 +194,9 @@ void Resolver::resolve_body(ast::Scope& body) {
   body.boxes = keep(boxes);
 }
 
-Resolved resolve(const std::vector<ast::Script*>& scripts, const std::vector<Definition>& definitions) {
-  return Resolver(scripts, definitions).run();
+Resolved resolve(const std::vector<ast::Script*>& scripts, const std::vector<Definition>& definitions,
+                 bool keep_unused) {
+  return Resolver(scripts, definitions).run(keep_unused);
 }
 
 }  // namespace lancer::lang

@@ -31,7 +31,8 @@ struct Definition {
 };
 
 /// Fills in the "resolved" fields of all `scripts`; the first is the one that was started, the others are
-/// those its `include` statements lead to.
-Resolved resolve(const std::vector<ast::Script*>& scripts, const std::vector<Definition>& definitions = {});
+/// those its `include` statements lead to. With `keep_unused` all that is declared counts as used.
+Resolved resolve(const std::vector<ast::Script*>& scripts, const std::vector<Definition>& definitions = {},
+                 bool keep_unused = false);
 
 }  // namespace lancer::lang

@@ -39,4 +39,10 @@ void UseGraph::finish(std::vector<Diagnostic>& diagnostics) {
   }
 }
 
+void UseGraph::keep_all() {
+  for (Entry& entry : nodes_) {
+    if (entry.declaration.used != nullptr) *entry.declaration.used = true;
+  }
+}
+
 }  // namespace lancer::lang

@@ -30,6 +30,8 @@ class UseGraph {
   void mention(Node by, Node what);
   /// Fills in `used` of all declarations, and warns of what nothing uses; not of what stands within such.
   void finish(std::vector<Diagnostic>& diagnostics);
+  /// Takes all declarations for used.
+  void keep_all();
 
  private:
   struct Entry {

@@ -63,7 +63,7 @@ struct FileScope {
 class Resolver {
  public:
   Resolver(const std::vector<ast::Script*>& scripts, const std::vector<Definition>& definitions);
-  Resolved run();
+  Resolved run(bool keep_unused);
 
  private:
   // resolve.cpp: files and statements

@@ -99,7 +99,7 @@ void Session::State::stages(Start start, const RunOptions& options, Run& run) {
   append(run.diagnostics, std::move(loaded.diagnostics));
   const bool parsed = !has_errors(run.diagnostics);
   const std::vector<ast::Script*> scripts = loaded.pointers();
-  lang::Resolved resolved = lang::resolve(scripts, definitions);
+  lang::Resolved resolved = lang::resolve(scripts, definitions, options.keep_unused);
   if (!parsed) drop_consequences(resolved.diagnostics, loaded.skipped, *sources);
   append(run.diagnostics, std::move(resolved.diagnostics));
   if (has_errors(run.diagnostics)) return;

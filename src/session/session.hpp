@@ -29,6 +29,7 @@ struct RunOptions {
   std::string library_folder;                // the built-in library; may be empty
   std::vector<Define> defines;
   lang::Limits limits;
+  bool keep_unused = false;  // evaluates what nothing uses, too, and does not warn of it
   const std::atomic<bool>* interrupt = nullptr;
 };
 
