@@ -8,8 +8,10 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <limits>
+#include <unistd.h>
 
 #include "app/exit_code.hpp"
+#include "app/general_help.hpp"
 #include "app/option_values.hpp"
 #include "base/diagnostic.hpp"
 
@@ -20,20 +22,7 @@ constexpr std::int64_t k_most = std::numeric_limits<std::int64_t>::max();
 constexpr double k_usual_error = 0.05;  // docs/performance.md tells why
 constexpr std::int64_t k_most_samples = 1 << 20;
 constexpr std::int64_t k_most_threads = 1024;
-constexpr std::array<std::string_view, 4> k_commands{"render", "check", "dump", "plan"};
-
-constexpr const char* k_examples = R"(Examples:
-  lancer lamp.scn                            draws lamp.png beside the script
-  lancer render lamp.scn -o big.png --size 1920,1080 --samples 64
-  lancer render lamp.scn --all-views         lamp-VIEW.png for each view
-  lancer render lamp.scn -D n=12 -o - | display
-  lancer check lamp.scn                      finds mistakes without drawing
-  lancer check --run lamp.scn                shows what the script prints
-  lancer dump --scene lamp.scn               lists everything in the scene
-  lancer plan lamp.scn                       tells what a render does and leaves out
-
-Exit codes: 0 fine, 1 the script is wrong, 2 the command line is wrong,
-3 a file cannot be read or written, 130 interrupted.)";
+constexpr std::array<std::string_view, 5> k_commands{"render", "check", "dump", "plan", "repl"};
 
 /// As typed; read strictly afterwards.
 struct ScriptTexts {
@@ -251,18 +240,19 @@ Command parse_plan(std::vector<std::string> arguments) {
   return command;
 }
 
-std::string general_help() {
-  return fmt::format(
-      "Lancer draws scenes that are written in a small language.\n\n"
-      "  lancer FILE                 the same as lancer render FILE\n"
-      "  lancer render FILE ...      draw a script's views\n"
-      "  lancer check FILE ...       find mistakes without drawing\n"
-      "  lancer dump --ast|--scene FILE\n"
-      "                              show what Lancer makes of a script\n"
-      "  lancer plan FILE            tell what a render does and leaves out\n"
-      "  lancer COMMAND --help       the options of a command\n"
-      "  lancer --version\n\n{}\n",
-      k_examples);
+Command parse_repl(std::vector<std::string> arguments) {
+  CLI::App app("Build a scene by talking to it", "lancer repl");
+  ReplCommand command;
+  ScriptTexts script;
+  PictureTexts picture;
+  app.add_option("FILE", command.file, "A script to begin with")->type_name("");
+  app.add_flag("--keep-going", command.keep_going, "Go on after an error where input is no terminal");
+  add_picture_options(app, picture);
+  add_script_options(app, script);
+  if (auto answer = parse(app, std::move(arguments))) return *answer;
+  read_script_options(script, command.run);
+  read_picture_options(picture, command.options);
+  return command;
 }
 
 bool is_command(const std::string& word) {
@@ -283,6 +273,7 @@ std::optional<Answer> misspelt_command(const std::string& word) {
 }  // namespace
 
 Command parse_command_line(std::vector<std::string> arguments) {
+  if (arguments.empty() && isatty(STDIN_FILENO) == 1) return parse_repl({});
   if (arguments.empty()) return Answer{k_command_wrong, general_help()};
   const std::string first = arguments.front();
   if (first == "--help" || first == "-h" || first == "help") return Answer{k_fine, general_help()};
@@ -293,6 +284,7 @@ Command parse_command_line(std::vector<std::string> arguments) {
     if (first == "check") return parse_check(std::move(arguments));
     if (first == "dump") return parse_dump(std::move(arguments));
     if (first == "plan") return parse_plan(std::move(arguments));
+    if (first == "repl") return parse_repl(std::move(arguments));
     return parse_render(std::move(arguments));
   } catch (const UsageError& problem) {
     return wrong(problem.what());

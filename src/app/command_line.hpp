@@ -47,13 +47,20 @@ struct PlanCommand {
   session::RunOptions run;
 };
 
+struct ReplCommand {
+  std::string file;         // empty: none
+  bool keep_going = false;  // after an error, where input is no terminal
+  tracer::Options options;
+  session::RunOptions run;
+};
+
 /// Nothing to do but to say something: help, the version, or what is wrong with the command line.
 struct Answer {
   int exit_code;
   std::string text;
 };
 
-using Command = std::variant<RenderCommand, CheckCommand, DumpCommand, PlanCommand, Answer>;
+using Command = std::variant<RenderCommand, CheckCommand, DumpCommand, PlanCommand, ReplCommand, Answer>;
 
 /// `arguments` without the program's own name. `lancer FILE` is `lancer render FILE`.
 Command parse_command_line(std::vector<std::string> arguments);

@@ -28,4 +28,6 @@ const std::atomic<bool>& watch_for_interrupts() {
   return interrupted;
 }
 
+void forget_interrupt() { interrupted = false; }
+
 }  // namespace lancer::app

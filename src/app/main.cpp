@@ -13,6 +13,7 @@
 #include "app/interrupt.hpp"
 #include "app/plan_command.hpp"
 #include "app/render_command.hpp"
+#include "app/repl/repl.hpp"
 
 namespace lancer::app {
 namespace {
@@ -32,6 +33,7 @@ int run(const Command& command, const Console& console) {
   if (const auto* c = std::get_if<CheckCommand>(&command)) return check(*c, console);
   if (const auto* c = std::get_if<DumpCommand>(&command)) return dump(*c, console);
   if (const auto* c = std::get_if<PlanCommand>(&command)) return plan(*c, console);
+  if (const auto* c = std::get_if<ReplCommand>(&command)) return repl(*c, console);
   return answer(std::get<Answer>(command), console);
 }
 

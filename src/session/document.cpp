@@ -66,15 +66,15 @@ std::string first_line(std::string_view text) { return std::string(text.substr(0
 }  // namespace
 
 struct Document::Tried {
-  Run run;
+  Run run;                            // without the warnings that were given before
+  std::vector<std::string> warnings;  // all
   std::shared_ptr<Listener> host;
   std::shared_ptr<Session> session;
 };
 
 Document::Document(Host& host) : host_(host), states_{std::make_shared<const std::string>()}, labels_{""} {
   Tried empty = run("", {});
-  session_ = std::move(empty.session);
-  session_host_ = std::move(empty.host);
+  accept(empty);
 }
 
 Document::Tried Document::run(const std::string& text, const RunOptions& options) const {
@@ -84,7 +84,24 @@ Document::Tried Document::run(const std::string& text, const RunOptions& options
   RunOptions all = options;
   all.keep_unused = true;
   out.run = out.session->run_text(name_, text, std::filesystem::path(name_).parent_path().string(), all);
+  std::vector<std::string> known = warnings_;
+  std::erase_if(out.run.diagnostics, [&](const Diagnostic& d) {
+    if (d.severity != Severity::warning) return false;
+    out.warnings.push_back(d.message);
+    const auto found = std::find(known.begin(), known.end(), d.message);
+    if (found == known.end()) return false;
+    known.erase(found);
+    return true;
+  });
   return out;
+}
+
+/// The scene is the one that was tried.
+void Document::accept(Tried& tried) {
+  printed_ = tried.host->printed;
+  warnings_ = std::move(tried.warnings);
+  session_ = tried.session;
+  session_host_ = tried.host;
 }
 
 /// Makes it the newest state where it ran well; states that were undone are gone then.
@@ -96,9 +113,7 @@ Reply Document::settle(Tried tried, std::string text, std::string label) {
   }
   out.is_changed = true;
   out.printed = news(printed_, tried.host->printed);
-  printed_ = tried.host->printed;
-  session_ = std::move(tried.session);
-  session_host_ = std::move(tried.host);
+  accept(tried);
   states_.resize(current_ + 1);
   labels_.resize(current_ + 1);
   states_.push_back(std::make_shared<const std::string>(std::move(text)));
@@ -150,13 +165,14 @@ Reply Document::enter(std::string_view entry, const RunOptions& options) {
   return settle(std::move(tried), std::move(changed), first_line(entry));
 }
 
-Reply Document::change(std::string text, const RunOptions& options) {
+Reply Document::change(std::string text, const RunOptions& options, std::string label) {
   Tried tried = run(text, options);
-  return settle(std::move(tried), std::move(text), "");
+  return settle(std::move(tried), std::move(text), std::move(label));
 }
 
 Reply Document::open(const std::string& path, std::string text, const RunOptions& options) {
   const std::string old = std::exchange(name_, path);
+  warnings_.clear();
   Tried tried = run(text, options);
   if (tried.run.outcome != Outcome::fine) {
     name_ = old;
@@ -165,9 +181,7 @@ Reply Document::open(const std::string& path, std::string text, const RunOptions
   states_ = {std::make_shared<const std::string>(std::move(text))};
   labels_ = {""};
   current_ = 0;
-  printed_ = tried.host->printed;
-  session_ = tried.session;
-  session_host_ = std::move(tried.host);
+  accept(tried);
   return {std::move(tried.run), printed_, false, true, session_};
 }
 
@@ -178,9 +192,7 @@ std::size_t Document::move_to(std::size_t state, const RunOptions& options, Repl
   if (reply.run.outcome != Outcome::fine) return 0;
   const std::size_t moved = state > current_ ? state - current_ : current_ - state;
   current_ = state;
-  printed_ = tried.host->printed;
-  session_ = std::move(tried.session);
-  session_host_ = std::move(tried.host);
+  accept(tried);
   reply.is_changed = moved > 0;
   return moved;
 }

@@ -31,8 +31,8 @@ class Document {
   /// Statements, or an expression, whose value then is printed and not kept. A `let`, `fn` or named object
   /// that is there already is replaced at its place; anything else goes to the end.
   Reply enter(std::string_view entry, const RunOptions& options);
-  /// Makes this the text, as one change.
-  Reply change(std::string text, const RunOptions& options);
+  /// Makes this the text, as one change that the history calls `label`.
+  Reply change(std::string text, const RunOptions& options, std::string label = {});
   /// Starts anew from a text that stands in a file; the history begins with it.
   Reply open(const std::string& path, std::string text, const RunOptions& options);
 
@@ -54,6 +54,7 @@ class Document {
   struct Tried;
   Tried run(const std::string& text, const RunOptions& options) const;
   Reply settle(Tried tried, std::string text, std::string label);
+  void accept(Tried& tried);
   std::size_t move_to(std::size_t state, const RunOptions& options, Reply& reply);
   std::string with_statements(std::string_view entry) const;
 
@@ -64,7 +65,8 @@ class Document {
   std::size_t current_ = 0;
   std::shared_ptr<Session> session_;
   std::shared_ptr<Host> session_host_;
-  std::string printed_;  // by the whole text
+  std::string printed_;                // by the whole text
+  std::vector<std::string> warnings_;  // of the whole text
 };
 
 }  // namespace lancer::session
