@@ -21,7 +21,6 @@ class Repl {
  public:
   Repl(const ReplCommand& command, const Console& console)
       : command_(command),
-        console_(console),
         talk_(console, command.run),
         is_prompted_(isatty(STDIN_FILENO) == 1 && console.out.is_terminal()) {
     talk_.options = command.options;
@@ -105,7 +104,6 @@ class Repl {
   }
 
   const ReplCommand& command_;
-  const Console& console_;
   Talk talk_;
   bool is_prompted_;
   Lines lines_;
