@@ -39,38 +39,6 @@ std::uint64_t primary_rays(const tracer::Options& options, int width, int height
                              : tracer::least_samples(columns, rows);
 }
 
-PlanReport report_on(const session::Session& session, const PlanCommand& command, std::size_t view_index) {
-  const scene::Scene& scene = session.scene();
-  const scene::View view = session.views()[view_index];
-  const tracer::Plan plan = session.plan(view, command.options);
-  PlanReport out;
-  out.file = command.file;
-  out.view = session.view_name(view_index);
-  for (std::size_t i = 0; i < session.views().size(); ++i) {
-    if (i != view_index) out.other_views.push_back(session.view_name(i));
-  }
-  out.width = command.options.columns.value_or(view.columns);
-  out.height = command.options.rows.value_or(view.rows);
-  out.samples = command.options.samples;
-  out.error = command.options.error;
-  out.primary_rays = primary_rays(command.options, out.width, out.height);
-  out.depth = plan.reflects || plan.transmits ? scene.settings.depth : 0;
-  out.reflects = plan.reflects || (plan.transmits && plan.media);  // totally, where indices differ
-  out.transmits = plan.transmits;
-  out.shadows = k_shadows[static_cast<std::size_t>(plan.shadows)];
-  out.structure = plan.tree ? "tree" : "list";
-  out.things = plan.primitives;
-  out.materials = plan.worn;
-  out.shapes = counted(scene.shapes, std::array{"sphere", "plane", "box", "facet", "mesh"});
-  out.lights = counted(scene.lights, std::array{"light", "sun", "spot"});
-  for (const tracer::Decision& decision : plan.decisions) {
-    out.skips.push_back({std::string(tracer::name_of(decision.skip)),
-                         k_verdicts[static_cast<std::size_t>(decision.verdict)],
-                         std::string(tracer::what_of(decision.skip)), tracer::in_words(scene, decision)});
-  }
-  return out;
-}
-
 std::string listed(const PlanReport::Counts& counts) {
   std::string out;
   for (const auto& [kind, count] : counts) {
@@ -114,13 +82,47 @@ int run(const PlanCommand& command, const Console& console) {
   const session::Run run = run_script(session, host, command.file, options);
   report_mistakes(session, run, console);
   if (run.outcome != session::Outcome::fine) return exit_code_of(run.outcome);
-  const PlanReport made = report_on(session, command, command.view ? find_view(session, *command.view) : 0);
+  const std::size_t view = command.view ? find_view(session, *command.view) : 0;
+  const PlanReport made = plan_report(session, view, command.file, command.options);
   console.out.write(command.json ? to_json(made) : to_text(made));
   console.out.flush();
   return k_fine;
 }
 
 }  // namespace
+
+PlanReport plan_report(const session::Session& session, std::size_t view_index, std::string file,
+                       const tracer::Options& options) {
+  const scene::Scene& scene = session.scene();
+  const scene::View view = session.views()[view_index];
+  const tracer::Plan plan = session.plan(view, options);
+  PlanReport out;
+  out.file = std::move(file);
+  out.view = session.view_name(view_index);
+  for (std::size_t i = 0; i < session.views().size(); ++i) {
+    if (i != view_index) out.other_views.push_back(session.view_name(i));
+  }
+  out.width = options.columns.value_or(view.columns);
+  out.height = options.rows.value_or(view.rows);
+  out.samples = options.samples;
+  out.error = options.error;
+  out.primary_rays = primary_rays(options, out.width, out.height);
+  out.depth = plan.reflects || plan.transmits ? scene.settings.depth : 0;
+  out.reflects = plan.reflects || (plan.transmits && plan.media);  // totally, where indices differ
+  out.transmits = plan.transmits;
+  out.shadows = k_shadows[static_cast<std::size_t>(plan.shadows)];
+  out.structure = plan.tree ? "tree" : "list";
+  out.things = plan.primitives;
+  out.materials = plan.worn;
+  out.shapes = counted(scene.shapes, std::array{"sphere", "plane", "box", "facet", "mesh"});
+  out.lights = counted(scene.lights, std::array{"light", "sun", "spot"});
+  for (const tracer::Decision& decision : plan.decisions) {
+    out.skips.push_back({std::string(tracer::name_of(decision.skip)),
+                         k_verdicts[static_cast<std::size_t>(decision.verdict)],
+                         std::string(tracer::what_of(decision.skip)), tracer::in_words(scene, decision)});
+  }
+  return out;
+}
 
 std::string to_text(const PlanReport& r) {
   std::string out = fmt::format("view `{}` of {}: {} x {} pixels, {}\n\n", r.view, r.file, r.width, r.height,

@@ -8,6 +8,7 @@
 
 #include "app/command_line.hpp"
 #include "app/console.hpp"
+#include "session/session.hpp"
 
 namespace lancer::app {
 
@@ -36,6 +37,9 @@ struct PlanReport {
   std::vector<Line> skips;
 };
 
+/// Of view number `view_index` of a scene that was made of `file`.
+PlanReport plan_report(const session::Session& session, std::size_t view_index, std::string file,
+                       const tracer::Options& options);
 std::string to_text(const PlanReport& report);
 
 /// The exit code.

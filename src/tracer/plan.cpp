@@ -222,7 +222,8 @@ void Planner::plan_tree() {
   if (has_.primitives > longest) {
     decide(Skip::tree, Verdict::needed, many + " things are more than a list is good for");
   } else {
-    out_.tree = !leave_out(Skip::tree, many + " things are asked one by one");
+    out_.tree = !leave_out(Skip::tree, has_.primitives == 1 ? "there is one thing alone"
+                                                            : many + " things are asked one by one");
   }
 }
 

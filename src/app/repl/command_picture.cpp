@@ -1,4 +1,4 @@
-// :views, :view, :render, :stats, :time and :set.
+// :views, :view, :render, :plan, :stats, :time and :set.
 
 #include <algorithm>
 #include <chrono>
@@ -7,6 +7,7 @@
 #include "app/find_view.hpp"
 #include "app/option_values.hpp"
 #include "app/output_path.hpp"
+#include "app/plan_command.hpp"
 #include "app/progress.hpp"
 #include "app/repl/commands.hpp"
 #include "image/encode.hpp"
@@ -80,6 +81,11 @@ void render_command(Talk& talk, const Words& words) {
   if (chosen.size() == 1) return draw(talk, chosen[0], path);
   const std::vector<std::string> paths = paths_of_views(path, names);
   for (std::size_t i = 0; i < chosen.size(); ++i) draw(talk, chosen[i], paths[i]);
+}
+
+void plan_command(Talk& talk, const Words&) {
+  const session::Document& document = talk.document;
+  talk.tell(to_text(plan_report(document.session(), talk.view_index(), document.name(), talk.options)));
 }
 
 void stats_command(Talk& talk, const Words&) {

@@ -26,6 +26,8 @@ constexpr CommandInfo k_all[] = {
     {"view", "NAME", "makes a view the current one", ":view front", 1, 1, view_command},
     {"render", "[VIEW..] [FILE]", "draws the current view, or those named", ":render front ball.png", 0,
      k_many, render_command},
+    {"plan", "", "what drawing the current view will take, and what is left out", ":plan", 0, 0,
+     plan_command},
     {"stats", "", "what the last picture took", ":stats", 0, 0, stats_command},
     {"time", "EXPR", "how long an expression takes", ":time len(range(1000))", 1, 1, time_command, true},
     {"set", "[KEY VALUE]", "size W,H, samples N, error E or threads N of pictures; alone, what is set",

@@ -44,6 +44,7 @@ void history_command(Talk& talk, const Words& words);
 void views_command(Talk& talk, const Words& words);
 void view_command(Talk& talk, const Words& words);
 void render_command(Talk& talk, const Words& words);
+void plan_command(Talk& talk, const Words& words);
 void stats_command(Talk& talk, const Words& words);
 void time_command(Talk& talk, const Words& words);
 void set_command(Talk& talk, const Words& words);
