@@ -12,6 +12,7 @@ namespace {
 /// More terms than these take more room than they are worth: what goes on is then followed when sums are
 /// made.
 constexpr std::size_t k_most_terms = 1U << 19;
+constexpr int k_deepest = 64;  // waves of the few rays that go on so long are not worth it
 
 }  // namespace
 
@@ -83,9 +84,9 @@ void BlockTracer::turn_off(Turned& turned, const Words& open, bool transmitted) 
     if (!is_black(turned.share[i])) goes.at[goes.count++] = static_cast<std::uint16_t>(i);
   }
   (transmitted ? stats.refracted_rays : stats.reflected_rays) += goes.count;
-  for (std::size_t i = 0; i < goes.count && terms_.size() > k_most_terms; ++i)
-    add_late(turned, goes.at[i], transmitted);
-  if (terms_.size() > k_most_terms) return;
+  const auto is_enough = [&] { return rays_->level >= k_deepest || terms_.size() > k_most_terms; };
+  for (std::size_t i = 0; i < goes.count && is_enough(); ++i) add_late(turned, goes.at[i], transmitted);
+  if (is_enough()) return;
   for (std::size_t first = 0; first < goes.count;) {
     Rays& next = waves_.room(rays_->level + 1, transmitted);
     const std::size_t some = std::min(goes.count - first, k_wave - next.count);
@@ -144,7 +145,7 @@ void BlockTracer::add_late(Pending ray, std::uint32_t term) {
 
 bool BlockTracer::rejoin(const Pending& pending, std::uint32_t term, bool transmitted) {
   const Ray& ray = pending.ray;
-  if (terms_.size() > k_most_terms) {
+  if (depth_ - pending.depth > k_deepest || terms_.size() > k_most_terms) {
     add_late(pending, term);
     return true;
   }
