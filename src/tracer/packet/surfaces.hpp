@@ -180,4 +180,18 @@ LANCER_INLINE Intervals own_interval(const Other& other, const Probes& p) {
                   {lanes(box[3]), lanes(box[4]), lanes(box[5])}, p);
 }
 
+/// The first crossing ahead of each ray, where a primitive's quick test is certain of it; `doubt` where not.
+struct Crossings {
+  Mask met, doubt;
+  Lanes t, error;
+  Mask entering;
+  Mask crossed;  // of solids and facets: surely met ahead or behind
+  Lanes slope;   // of facets: how steeply the ray meets it
+  /// Of convex solids: by how much, at the least, the line's crossings lie beside the surface's tangent plane
+  /// at the start.
+  Lanes clear;
+  Lanes out_t, out_error;  // of convex solids, where entering: of the way out
+  Mask face;               // of boxes, in the place where with_face() has it
+};
+
 }  // namespace lancer::tracer::LANCER_TARGET

@@ -1,21 +1,10 @@
 #pragma once
-// In place of the tracer's own: the plain tests, four lanes at a time. Every answer is taken for right.
+// In place of the tracer's own: the plain tests, four lanes at a time. Every answer is taken for
+// right: nothing is in doubt, and no error is known.
 
 #include "tracer/packet/surfaces.hpp"
 
 namespace lancer::tracer::LANCER_TARGET {
-
-/// See the tracer's own; nothing is in doubt, and no error is known.
-struct Crossings {
-  Mask met, doubt;
-  Lanes t, error;
-  Mask entering;
-  Mask crossed;
-  Lanes slope;
-  Lanes clear;
-  Lanes out_t, out_error;
-  Mask face;
-};
 
 /// Of a convex solid that is crossed at `in` and `leave`.
 LANCER_INLINE bool cross(Mask crossed, Lanes in, Lanes leave, Crossings& out) {
